@@ -1,0 +1,137 @@
+#include "apps/capture/capture.h"
+
+#include "apps/capture/aovs.h"
+#include "apps/capture/outputs.h"
+#include "engine/core/file.h"
+#include "engine/core/progress.h"
+#include "engine/scene/import.h"
+#include "engine/techniques/renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace manylight {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Frames until the count or the time is used up. Returns the GPU milliseconds per pass, summed by name.
+struct Frames {
+    Json passes = Json::object();
+    double seconds = 0.0;
+    double firstFrameSeconds = 0.0;
+    std::vector<DumpedImage> dumped;
+};
+
+Frames renderFrames(Renderer& renderer, const CaptureOptions& options) {
+    Progress progress("rendering", options.frameCount);
+    Frames frames;
+    std::map<std::string, double> passTimes;
+    const auto start = Clock::now();
+    for (uint32_t i = 0; i < options.frameCount; ++i) {
+        Execution execution = renderer.renderFrame();
+        for (const PassTime& pass : execution.passTimes) passTimes[pass.pass] += pass.milliseconds;
+        frames.seconds = secondsSince(start);
+        if (i == 0) frames.firstFrameSeconds = frames.seconds;
+        frames.dumped = std::move(execution.dumped);
+        progress.advance();
+        if (options.secondsBudget > 0.0 && frames.seconds >= options.secondsBudget) break;
+    }
+    for (const auto& [pass, milliseconds] : passTimes) frames.passes[pass] = milliseconds;
+    return frames;
+}
+
+void writeGraph(Renderer& renderer, const std::string& stem) {
+    const Renderer::GraphDump dump = renderer.dumpGraph();
+    writeTextFile(stem + ".dot", dump.dot);
+    writeTextFile(stem + ".json", dump.json.dump(2) + "\n");
+}
+
+uint64_t countNonFinite(const Image& image) {
+    return static_cast<uint64_t>(
+        std::count_if(image.texels.begin(), image.texels.end(), [](float value) { return !std::isfinite(value); }));
+}
+
+/// Renders local, global and both with the same settings otherwise; their pictures stand beside each other.
+DisplayImage renderSideBySide(Renderer& renderer, const CaptureOptions& options) {
+    const RenderSettings settings = renderer.settings();
+    std::vector<DisplayImage> pictures;
+    for (const Lighting lighting : {Lighting::Local, Lighting::Global, Lighting::Both}) {
+        RenderSettings variant = settings;
+        variant.lighting = lighting;
+        renderer.restart(variant);
+        renderFrames(renderer, options);
+        pictures.push_back({renderer.settings().width, renderer.settings().height, renderer.displayRgba()});
+    }
+    return besideEachOther(pictures);
+}
+
+Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& renderer, const Frames& frames,
+                double importSeconds, uint64_t nonFinite) {
+    Json warnings = scene.warnings.toJson();
+    for (const Json& warning : renderer.warnings().toJson()) warnings.push_back(warning);
+    return {{"scene", scene.name},
+            {"machine", describeMachine(device)},
+            {"import", scene.importReport},
+            {"settings", toJson(renderer.settings())},
+            {"frames", renderer.frameCount()},
+            {"non_finite_values", nonFinite},
+            {"vpls_traced_last_frame", renderer.status().vplsTraced},
+            {"vpls_shaded_last_frame", renderer.status().vplsShaded},
+            {"memory", renderer.gpuScene().report()},
+            {"plan", toJson(renderer.plan())},
+            {"seconds",
+             {{"import", importSeconds},
+              {"bvh_build", renderer.startupTimes().bvhBuild},
+              {"upload", renderer.startupTimes().upload},
+              {"first_frame", frames.firstFrameSeconds},
+              {"frames", frames.seconds}}},
+            {"pass_milliseconds", frames.passes},
+            {"warnings", warnings}};
+}
+
+}  // namespace
+
+void capture(const CaptureOptions& options) {
+    if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
+    checkOutputs(options);
+
+    const auto start = Clock::now();
+    const Scene scene = importScene(options.scene);
+    const double importSeconds = secondsSince(start);
+    printWarnings(scene.warnings);
+    RenderSettings settings = resolveSettings(scene, options.settings);
+    settings.jitter = options.frameCount > 1;
+
+    gpu::Device device({.select = options.device});
+    Renderer renderer(device, scene, settings);
+    if (options.explain) fmt::print("{}", explain(renderer.plan()));
+    if (!options.dumpGraph.empty()) writeGraph(renderer, options.dumpGraph);
+    if (options.sideBySide) {
+        writeSideBySide(options.outputs, renderSideBySide(renderer, options));
+        printWarnings(renderer.warnings());
+        return;
+    }
+
+    renderer.executor().dumpAfter(options.dumpPass);
+    const Frames frames = renderFrames(renderer, options);
+    renderer.executor().dumpAfter("");
+    const Image radiance = renderer.radiance();
+    const uint64_t nonFinite = countNonFinite(radiance);
+    const Json report = makeReport(device, scene, renderer, frames, importSeconds, nonFinite);
+    const DisplayImage display{renderer.settings().width, renderer.settings().height, renderer.displayRgba()};
+
+    writeDumps(options, frames.dumped);
+    printWarnings(renderer.warnings());
+    const std::vector<ExrLayer> aovs = captureAovs(renderer, scene, options.aovs);
+    writeOutputs(options.outputs, radiance, aovs, display, report);
+    if (!options.report.empty()) writeTextFile(options.report, report.dump(2) + "\n");
+    if (nonFinite > 0) fail("{} channel values of the picture are not finite (written all the same)", nonFinite);
+}
+
+}  // namespace manylight

@@ -1,0 +1,78 @@
+#include "apps/common/command_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <thread>
+
+namespace manylight {
+
+void addStandardOptions(CLI::App& app) {
+    app.set_version_flag("--version", fmt::format("{} {}", app.get_name(), MANYLIGHT_VERSION));
+    app.get_formatter()->column_width(38);
+}
+
+void addSettingOptions(CLI::App& app, TypedSettings& typed, const std::vector<std::string>& except) {
+    for (const SettingHelp& help : settingHelps()) {
+        const std::string option = help.option;
+        if (std::find(except.begin(), except.end(), option) != except.end()) continue;
+        app.add_option_function<std::string>(
+               "--" + option, [&typed, option](const std::string& value) { typed.emplace_back(option, value); },
+               help.help)
+            ->type_name(help.values)
+            ->group("Rendering");
+    }
+}
+
+RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed) {
+    RenderSettings settings;
+    applySettings(settings, scene.settings, scene.path.string() + ": settings");
+    for (const auto& [option, value] : typed) applySetting(settings, option, value);
+    return settings;
+}
+
+int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& program) {
+    const std::string name = app.get_name();
+    try {
+        app.parse(argc, argv);
+        program();
+        return 0;
+    } catch (const CLI::Success& success) {
+        return app.exit(success);
+    } catch (const CLI::ParseError& error) {
+        fmt::print(stderr, "{}: {} (try --help)\n", name, error.what());
+        return 2;
+    } catch (const Error& error) {
+        fmt::print(stderr, "{}: {}\n", name, error.what());
+        return error.exitCode();
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "{}: out of memory\n", name);
+        return 1;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}: internal error, please report it: {}\n", name, error.what());
+        return 1;
+    }
+}
+
+void printWarnings(const Warnings& warnings) {
+    for (const auto& [kind, entry] : warnings.entries()) {
+        std::string places;
+        for (const std::string& example : entry.examples) places += (places.empty() ? " (" : ", ") + example;
+        fmt::print(stderr, "warning: {} {}{}\n", entry.count, kind, places.empty() ? "" : places + ")");
+    }
+}
+
+Json describeMachine(const gpu::Device& device) {
+    return {{"device", device.info().name},
+            {"driver", device.info().driver},
+            {"vulkan", fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(device.info().apiVersion),
+                                   VK_API_VERSION_MINOR(device.info().apiVersion),
+                                   VK_API_VERSION_PATCH(device.info().apiVersion))},
+            {"subgroup_size", device.subgroupSize()},
+            {"host_threads", std::thread::hardware_concurrency()},
+            {"manylight", MANYLIGHT_VERSION}};
+}
+
+}  // namespace manylight

@@ -1,0 +1,38 @@
+// What the programs' command lines have in common.
+#pragma once
+
+#include "engine/gpu/device.h"
+#include "engine/scene/scene.h"
+#include "engine/techniques/settings.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace manylight {
+
+/// Options of the renderer as they were typed, in order.
+using TypedSettings = std::vector<std::pair<std::string, std::string>>;
+
+/// Adds --help, --version and the exit-code note.
+void addStandardOptions(CLI::App& app);
+
+/// Adds one option for every setting of the renderer, but those in `except`.
+void addSettingOptions(CLI::App& app, TypedSettings& typed, const std::vector<std::string>& except = {});
+
+/// Sidecar settings first, then the command line's.
+RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed);
+
+/// Parses, runs `program`, and turns exceptions into one line and an exit code: 0, 1 (the world's fault), 2 (usage).
+int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& program);
+
+/// Prints the scene's warnings on standard error, one line a kind.
+void printWarnings(const Warnings& warnings);
+
+/// Where and with what a number was measured: device, driver, API version, program version, processors.
+Json describeMachine(const gpu::Device& device);
+
+}  // namespace manylight

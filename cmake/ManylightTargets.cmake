@@ -1,0 +1,27 @@
+# One static library per engine folder: manylight_<name>, so that the linker line is the dependency arrow.
+function(manylight_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Werror)
+  target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
+endfunction()
+
+function(manylight_library name)
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  add_library(manylight_${name} STATIC ${sources})
+  add_library(manylight::${name} ALIAS manylight_${name})
+  set_target_properties(manylight_${name} PROPERTIES EXPORT_NAME ${name})
+  manylight_compile_options(manylight_${name})
+  target_include_directories(manylight_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/manylight>)
+  target_link_libraries(manylight_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+function(manylight_program name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  add_executable(manylight-${name} ${sources})
+  manylight_compile_options(manylight-${name})
+  target_link_libraries(manylight-${name} PRIVATE ${ARG_LINK})
+  target_compile_definitions(manylight-${name} PRIVATE MANYLIGHT_VERSION="${PROJECT_VERSION}")
+  install(TARGETS manylight-${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()

@@ -1,0 +1,22 @@
+// Files are written beside their target and renamed, so that a reader never meets half of one.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace manylight {
+
+/// Calls `write` with a temporary path in the target's folder, then renames it to `target`. On any exception the
+/// temporary is removed and nothing changed. Throws Error if the folder is missing or cannot be written.
+void writeAtomically(const std::filesystem::path& target,
+                     const std::function<void(const std::filesystem::path&)>& write);
+
+/// Writes `text` to `target` atomically.
+void writeTextFile(const std::filesystem::path& target, std::string_view text);
+
+/// Whole content of a file. Throws Error naming the file if it cannot be read.
+std::string readTextFile(const std::filesystem::path& source);
+
+}  // namespace manylight

@@ -1,0 +1,227 @@
+#include "engine/gpu/pipeline.h"
+
+#include "engine/core/check.h"
+#include "engine/gpu/pipeline_cache.h"
+#include "engine/gpu/shader.h"
+
+namespace manylight::gpu {
+namespace {
+
+/// VkSpecializationInfo for constants 0..n-1; the arrays live as long as this object.
+struct SpecialisationInfo {
+    std::vector<VkSpecializationMapEntry> entries;
+    VkSpecializationInfo info{};
+
+    explicit SpecialisationInfo(const Specialisation& values) {
+        for (uint32_t i = 0; i < values.size(); ++i)
+            entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
+        info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t),
+                values.data()};
+    }
+};
+
+VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module,
+                                          const SpecialisationInfo& specialisation) {
+    VkPipelineShaderStageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    info.stage = stage;
+    info.module = module;
+    info.pName = "main";
+    info.pSpecializationInfo = &specialisation.info;
+    return info;
+}
+
+}  // namespace
+
+PipelineLibrary::PipelineLibrary(Device& device) : device_(device), cache_(loadPipelineCache(device)) {}
+
+PipelineLibrary::~PipelineLibrary() {
+    storePipelineCache(device_, cache_);
+    for (const auto& [key, pipeline] : compute_) vkDestroyPipeline(device_.handle(), pipeline.handle, nullptr);
+    for (const auto& [key, pipeline] : graphics_) vkDestroyPipeline(device_.handle(), pipeline.handle, nullptr);
+    for (const auto& [name, module] : modules_) vkDestroyShaderModule(device_.handle(), module, nullptr);
+    for (const auto& [bindings, layout] : layouts_) {
+        vkDestroyPipelineLayout(device_.handle(), layout.pipeline, nullptr);
+        vkDestroyDescriptorSetLayout(device_.handle(), layout.set, nullptr);
+    }
+    vkDestroyPipelineCache(device_.handle(), cache_, nullptr);
+}
+
+Pipeline PipelineLibrary::compute(const ComputeKey& key) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = compute_.find(key); found != compute_.end()) return found->second;
+    }
+    const Pipeline made = makeCompute(key);
+    const std::lock_guard lock(mutex_);
+    const auto [entry, isNew] = compute_.emplace(key, made);
+    if (!isNew) vkDestroyPipeline(device_.handle(), made.handle, nullptr);
+    return entry->second;
+}
+
+Pipeline PipelineLibrary::graphics(const GraphicsKey& key) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = graphics_.find(key); found != graphics_.end()) return found->second;
+    }
+    const Pipeline made = makeGraphics(key);
+    const std::lock_guard lock(mutex_);
+    const auto [entry, isNew] = graphics_.emplace(key, made);
+    if (!isNew) vkDestroyPipeline(device_.handle(), made.handle, nullptr);
+    return entry->second;
+}
+
+bool PipelineLibrary::has(const ComputeKey& key) {
+    const std::lock_guard lock(mutex_);
+    return compute_.contains(key);
+}
+
+bool PipelineLibrary::has(const GraphicsKey& key) {
+    const std::lock_guard lock(mutex_);
+    return graphics_.contains(key);
+}
+
+Pipeline PipelineLibrary::makeCompute(const ComputeKey& key) {
+    const SpecialisationInfo specialisation(key.specialisation);
+    VkPipelineShaderStageRequiredSubgroupSizeCreateInfo subgroup{};
+    subgroup.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO;
+    subgroup.requiredSubgroupSize = device_.subgroupSize();
+
+    VkComputePipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, moduleFor(key.shader), specialisation);
+    if (key.fullSubgroups) {
+        info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
+        if (device_.canRequireSubgroupSize()) info.stage.pNext = &subgroup;
+    }
+    info.layout = layoutFor(key.bindings);
+    Pipeline pipeline{VK_NULL_HANDLE, info.layout};
+    check(vkCreateComputePipelines(device_.handle(), cache_, 1, &info, nullptr, &pipeline.handle),
+          "compiling " + key.shader);
+    device_.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.handle), key.shader);
+    return pipeline;
+}
+
+Pipeline PipelineLibrary::makeGraphics(const GraphicsKey& key) {
+    const SpecialisationInfo specialisation(key.specialisation);
+    std::vector<VkPipelineShaderStageCreateInfo> stages = {
+        stageInfo(VK_SHADER_STAGE_VERTEX_BIT, moduleFor(key.vertexShader), specialisation)};
+    if (!key.fragmentShader.empty())
+        stages.push_back(stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, moduleFor(key.fragmentShader), specialisation));
+
+    const VkVertexInputBindingDescription corner{0, 16, VK_VERTEX_INPUT_RATE_VERTEX};
+    const VkVertexInputAttributeDescription attributes[] = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
+                                                            {1, 0, VK_FORMAT_R32_UINT, 12}};
+    VkPipelineVertexInputStateCreateInfo vertexInput{};
+    vertexInput.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
+    vertexInput.vertexBindingDescriptionCount = key.triangleRecords ? 1 : 0;
+    vertexInput.pVertexBindingDescriptions = &corner;
+    vertexInput.vertexAttributeDescriptionCount = key.triangleRecords ? 2 : 0;
+    vertexInput.pVertexAttributeDescriptions = attributes;
+
+    VkPipelineInputAssemblyStateCreateInfo assembly{};
+    assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
+    assembly.topology = key.topology;
+    VkPipelineViewportStateCreateInfo viewport{};
+    viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    VkPipelineRasterizationStateCreateInfo raster{};
+    raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
+    raster.cullMode = VK_CULL_MODE_NONE;  // every surface reflects on both sides
+    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    raster.lineWidth = 1.0f;
+    VkPipelineMultisampleStateCreateInfo multisample{};
+    multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
+    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    VkPipelineDepthStencilStateCreateInfo depth{};
+    depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
+    depth.depthTestEnable = key.depthFormat != VK_FORMAT_UNDEFINED;
+    depth.depthWriteEnable = key.depthWrite;
+    depth.depthCompareOp = key.depthCompare;
+
+    VkPipelineColorBlendAttachmentState target{};
+    target.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
+                            VK_COLOR_COMPONENT_A_BIT;
+    target.blendEnable = key.additiveBlend;
+    target.srcColorBlendFactor = target.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
+    target.srcAlphaBlendFactor = target.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    const std::vector<VkPipelineColorBlendAttachmentState> targets(key.colorFormats.size(), target);
+    VkPipelineColorBlendStateCreateInfo blend{};
+    blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
+    blend.attachmentCount = static_cast<uint32_t>(targets.size());
+    blend.pAttachments = targets.data();
+
+    const VkDynamicState dynamicStates[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    VkPipelineDynamicStateCreateInfo dynamic{};
+    dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
+    dynamic.dynamicStateCount = 2;
+    dynamic.pDynamicStates = dynamicStates;
+    VkPipelineRenderingCreateInfo rendering{};
+    rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
+    rendering.colorAttachmentCount = static_cast<uint32_t>(key.colorFormats.size());
+    rendering.pColorAttachmentFormats = key.colorFormats.data();
+    rendering.depthAttachmentFormat = key.depthFormat;
+
+    VkGraphicsPipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
+    info.pNext = &rendering;
+    info.stageCount = static_cast<uint32_t>(stages.size());
+    info.pStages = stages.data();
+    info.pVertexInputState = &vertexInput;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &multisample;
+    info.pDepthStencilState = &depth;
+    info.pColorBlendState = &blend;
+    info.pDynamicState = &dynamic;
+    info.layout = layoutFor(key.bindings);
+    Pipeline pipeline{VK_NULL_HANDLE, info.layout};
+    const std::string name = key.fragmentShader.empty() ? key.vertexShader : key.fragmentShader;
+    check(vkCreateGraphicsPipelines(device_.handle(), cache_, 1, &info, nullptr, &pipeline.handle),
+          "compiling " + name);
+    device_.setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.handle), name);
+    return pipeline;
+}
+
+VkPipelineLayout PipelineLibrary::layoutFor(const std::vector<BindingLayout>& bindings) {
+    const std::lock_guard lock(mutex_);
+    Layout& layout = layouts_[bindings];
+    if (layout.pipeline != VK_NULL_HANDLE) return layout.pipeline;
+
+    std::vector<VkDescriptorSetLayoutBinding> setBindings;
+    for (const BindingLayout& binding : bindings)
+        setBindings.push_back({binding.binding, binding.type, 1, VK_SHADER_STAGE_ALL, nullptr});
+    VkDescriptorSetLayoutCreateInfo setInfo{};
+    setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+    setInfo.bindingCount = static_cast<uint32_t>(setBindings.size());
+    setInfo.pBindings = setBindings.data();
+    check(vkCreateDescriptorSetLayout(device_.handle(), &setInfo, nullptr, &layout.set), "creating a set layout");
+
+    const VkPushConstantRange push{VK_SHADER_STAGE_ALL, 0, kPushConstantBytes};
+    VkPipelineLayoutCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    info.setLayoutCount = 1;
+    info.pSetLayouts = &layout.set;
+    info.pushConstantRangeCount = 1;
+    info.pPushConstantRanges = &push;
+    check(vkCreatePipelineLayout(device_.handle(), &info, nullptr, &layout.pipeline), "creating a pipeline layout");
+    return layout.pipeline;
+}
+
+VkShaderModule PipelineLibrary::moduleFor(const std::string& shader) {
+    const std::lock_guard lock(mutex_);
+    VkShaderModule& module = modules_[shader];
+    if (module != VK_NULL_HANDLE) return module;
+    const auto code = shaderCode(shader);
+    VkShaderModuleCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    info.codeSize = code.size_bytes();
+    info.pCode = code.data();
+    check(vkCreateShaderModule(device_.handle(), &info, nullptr, &module), "loading " + shader);
+    return module;
+}
+
+}  // namespace manylight::gpu

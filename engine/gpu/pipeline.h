@@ -1,0 +1,90 @@
+// Pipelines by description: made once, kept for the life of the device, with Vulkan's cache on disk.
+#pragma once
+
+#include "engine/gpu/device.h"
+
+#include <compare>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace manylight::gpu {
+
+/// One binding of descriptor set 0, which is always pushed.
+struct BindingLayout {
+    uint32_t binding = 0;
+    VkDescriptorType type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    auto operator<=>(const BindingLayout&) const = default;
+};
+
+/// Value i specialises constant_id i. Floats go through std::bit_cast.
+using Specialisation = std::vector<uint32_t>;
+
+struct ComputeKey {
+    std::string shader;  // "vpl_light.comp"
+    Specialisation specialisation;
+    std::vector<BindingLayout> bindings;  // sorted by binding
+    bool fullSubgroups = false;           // ask for full subgroups of Device::subgroupSize()
+    auto operator<=>(const ComputeKey&) const = default;
+};
+
+struct GraphicsKey {
+    std::string vertexShader;
+    std::string fragmentShader;  // empty: depth only
+    Specialisation specialisation;
+    std::vector<BindingLayout> bindings;
+    std::vector<VkFormat> colorFormats;
+    VkFormat depthFormat = VK_FORMAT_UNDEFINED;
+    bool depthWrite = false;
+    VkCompareOp depthCompare = VK_COMPARE_OP_LESS;
+    bool additiveBlend = false;
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    bool triangleRecords = false;  // vertex buffer 0 holds shared::TriangleCorner
+    auto operator<=>(const GraphicsKey&) const = default;
+};
+
+struct Pipeline {
+    VkPipeline handle = VK_NULL_HANDLE;
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+};
+
+/// Push constants: one range of this many bytes, for every stage of every pipeline.
+inline constexpr uint32_t kPushConstantBytes = 128;
+
+class PipelineLibrary {
+  public:
+    explicit PipelineLibrary(Device& device);
+    /// Stores the cache on disk; a failure to do so is no error.
+    ~PipelineLibrary();
+    PipelineLibrary(const PipelineLibrary&) = delete;
+    PipelineLibrary& operator=(const PipelineLibrary&) = delete;
+
+    /// Thread-safe: several threads may ask for different pipelines at once.
+    Pipeline compute(const ComputeKey& key);
+    Pipeline graphics(const GraphicsKey& key);
+    bool has(const ComputeKey& key);
+    bool has(const GraphicsKey& key);
+    size_t size() const { return compute_.size() + graphics_.size(); }
+
+  private:
+    Pipeline makeCompute(const ComputeKey& key);
+    Pipeline makeGraphics(const GraphicsKey& key);
+    VkPipelineLayout layoutFor(const std::vector<BindingLayout>& bindings);
+    VkShaderModule moduleFor(const std::string& shader);
+
+    struct Layout {
+        VkDescriptorSetLayout set = VK_NULL_HANDLE;
+        VkPipelineLayout pipeline = VK_NULL_HANDLE;
+    };
+
+    Device& device_;
+    VkPipelineCache cache_ = VK_NULL_HANDLE;
+    std::mutex mutex_;
+    std::map<std::vector<BindingLayout>, Layout> layouts_;
+    std::map<std::string, VkShaderModule> modules_;
+    std::map<ComputeKey, Pipeline> compute_;
+    std::map<GraphicsKey, Pipeline> graphics_;
+};
+
+}  // namespace manylight::gpu

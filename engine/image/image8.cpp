@@ -1,0 +1,77 @@
+#include "engine/core/error.h"
+#include "engine/core/file.h"
+#include "engine/image/image_io.h"
+
+// Static, because other libraries of the system carry the same symbols.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_TGA
+#define STBI_ONLY_BMP
+#define STBI_MAX_DIMENSIONS 16384
+#include <stb_image.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace manylight {
+
+namespace {
+
+/// Bytes in memory that remember whether the decoder asked for more than there are: stb_image itself fills what
+/// is missing from a truncated JPEG, TGA or BMP with zeros and reports success.
+struct ByteSource {
+    const uint8_t* next;
+    size_t left;
+    const char* refillBuffer = nullptr;  // where the first read goes: reads ahead into it may come up short
+    bool exhausted = false;
+
+    int read(char* target, int size) {
+        if (!refillBuffer) refillBuffer = target;
+        const size_t wanted = static_cast<size_t>(size);
+        const size_t count = std::min(wanted, left);
+        if (count == 0 || (count < wanted && target != refillBuffer)) exhausted = true;
+        std::memcpy(target, next, count);
+        skip(count);
+        return static_cast<int>(count);
+    }
+    void skip(size_t count) {
+        if (count > left) exhausted = true;
+        count = std::min(count, left);
+        next += count;
+        left -= count;
+    }
+};
+
+constexpr stbi_io_callbacks kByteSourceCallbacks{
+    [](void* source, char* target, int size) { return static_cast<ByteSource*>(source)->read(target, size); },
+    [](void* source, int count) { static_cast<ByteSource*>(source)->skip(static_cast<size_t>(std::max(count, 0))); },
+    [](void* source) { return static_cast<int>(static_cast<ByteSource*>(source)->left == 0); }};
+
+}  // namespace
+
+EncodedImage readImage8(const std::filesystem::path& path) {
+    const std::string bytes = readTextFile(path);
+    return readImage8(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), path.string());
+}
+
+EncodedImage readImage8(const uint8_t* bytes, size_t size, const std::string& nameForErrors) {
+    if (size == 0) fail("{}: image is empty, expected PNG, JPEG, TGA or BMP", nameForErrors);
+    ByteSource source{bytes, size};
+    int width = 0;
+    int height = 0;
+    int storedChannels = 0;
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
+        stbi_load_from_callbacks(&kByteSourceCallbacks, &source, &width, &height, &storedChannels, 4), stbi_image_free);
+    if (!texels)
+        fail("{}: not a readable image ({}), expected PNG, JPEG, TGA or BMP", nameForErrors, stbi_failure_reason());
+    if (source.exhausted) fail("{}: image is truncated after {} bytes", nameForErrors, size);
+
+    EncodedImage image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
+    image.rgba.assign(texels.get(), texels.get() + size_t{4} * image.width * image.height);
+    return image;
+}
+
+}  // namespace manylight

@@ -1,0 +1,36 @@
+#include "engine/passes/direct_light.h"
+
+#include "engine/passes/shading_work.h"
+#include "engine/passes/surface_options.h"
+#include "shaders/shared/bindings.h"
+
+namespace manylight {
+
+ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
+                           const LightList& lights, bool castShadows, uint32_t width, uint32_t height) {
+    ImageHandle radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+    const uint32_t limit = castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
+    for (const shared::ShadePush& push : shadingStretches(lights.count, 0, limit, true)) {
+        const bool adds = push.firstLight > 0;
+        PassBuilder pass = graph.addPass("direct_light");
+        readSurfaces(pass, scene, PipelineKind::Compute);
+        pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
+            .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
+            .read(lights.lights, Access::ComputeStorageRead, shared::kBindingLights);
+        scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
+        radiance = pass.write(radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
+                              shared::kBindingRadiance);
+        gpu::Specialisation options = surfaceOptions(plan);
+        options.insert(options.end(), {castShadows, 0u, adds});
+        pass.execute([options, push, width, height](PassContext& context) {
+            context.dispatch({.shader = "direct_light.comp",
+                              .groupWidth = shared::kVplGroupWidth,
+                              .groupHeight = shared::kVplGroupHeight,
+                              .specialisation = options},
+                             width, height, push);
+        });
+    }
+    return radiance;
+}
+
+}  // namespace manylight

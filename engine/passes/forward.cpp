@@ -1,0 +1,72 @@
+#include "engine/passes/forward.h"
+
+#include "engine/passes/shading_work.h"
+#include "engine/passes/surface_options.h"
+#include "engine/passes/vpl_emission.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/lights.h"
+
+namespace manylight {
+namespace {
+
+/// The stretch's VPLs in a uniform buffer of the size the shader declares.
+BufferHandle addVplWindow(FrameGraph& graph, BufferHandle vpls, const shared::ShadePush& push) {
+    constexpr VkDeviceSize kVplBytes = sizeof(shared::LightData);
+    const VkDeviceSize padded = paddedVplCount(push.vplCount);
+    BufferHandle window = graph.createBuffer("VPL window", {shared::kMaxForwardVplsPerDraw * kVplBytes});
+    PassBuilder pass = graph.addPass("vpl_window");
+    pass.read(vpls, Access::TransferRead);
+    window = pass.write(window, Access::TransferWrite);
+    pass.execute([vpls, window, push, padded](PassContext& context) {
+        if (push.vplCount == 0) context.fill(window, 0);
+        else context.copy(vpls, push.firstVpl * kVplBytes, padded * kVplBytes, window);
+    });
+    return window;
+}
+
+VkClearValue background(const ForwardOptions& options) {
+    const glm::vec3 radiance = options.showEmission ? options.environmentRadiance : glm::vec3(0.0f);
+    return {.color = {.float32 = {radiance.x, radiance.y, radiance.z, 1.0f}}};
+}
+
+}  // namespace
+
+ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle lights,
+                         BufferHandle vpls, const ForwardOptions& options, std::optional<ImageHandle> depth,
+                         uint32_t triangleCount, uint32_t width, uint32_t height) {
+    const bool prepass = depth.has_value();
+    ForwardResult result;
+    result.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+    result.depth = prepass ? *depth : graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height});
+    gpu::Specialisation constants = surfaceOptions(plan);
+    constants.push_back(options.castShadows);
+
+    const uint32_t limit =
+        options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
+    for (shared::ShadePush push :
+         shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission)) {
+        const bool isFirst = push.firstLight == 0 && push.firstVpl == 0;
+        const BufferHandle window = addVplWindow(graph, vpls, push);
+        push.firstVpl = 0;
+        PassBuilder pass = graph.addPass("forward");
+        readSurfaces(pass, scene, PipelineKind::Graphics);
+        pass.read(lights, Access::GraphicsStorageRead, shared::kBindingLights)
+            .read(window, Access::GraphicsUniform, shared::kBindingVpls);
+        scene.status = pass.write(scene.status, Access::GraphicsStorageReadWrite, shared::kBindingStatus);
+        result.radiance = isFirst ? pass.write(result.radiance, Access::ColorWrite, background(options))
+                                  : pass.write(result.radiance, Access::ColorBlend);
+        const bool testsOnly = prepass || !isFirst;
+        if (testsOnly) pass.read(result.depth, Access::DepthRead);
+        else result.depth = pass.write(result.depth, Access::DepthWrite, VkClearValue{.depthStencil = {0.0f, 0}});
+        pass.execute([constants, push, testsOnly, triangleCount](PassContext& context) {
+            context.draw({.vertexShader = "geometry.vert",
+                          .fragmentShader = "forward.frag",
+                          .specialisation = constants,
+                          .depthCompare = testsOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},
+                         triangleCount * 3, push);
+        });
+    }
+    return result;
+}
+
+}  // namespace manylight

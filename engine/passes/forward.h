@@ -1,0 +1,30 @@
+// Forward shading: the fragment shader loops over the real lights and then over the VPLs.
+#pragma once
+
+#include "engine/passes/gbuffer.h"
+#include "engine/passes/light_samples.h"
+
+#include <optional>
+
+namespace manylight {
+
+struct ForwardOptions {
+    uint32_t lightCount = 0;
+    uint32_t vplCount = 0;
+    bool castShadows = true;
+    bool showEmission = true;
+    glm::vec3 environmentRadiance{0.0f};  // where no surface is seen
+};
+
+struct ForwardResult {
+    ImageHandle radiance;  // RGBA32F
+    ImageHandle depth;
+};
+
+/// `depth` is a pre-pass's; without it the fragments of hidden surfaces that come first are shaded too, as the
+/// original system did. More lights than a draw may take on are drawn again, adding, where the depth is equal.
+ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle lights,
+                         BufferHandle vpls, const ForwardOptions& options, std::optional<ImageHandle> depth,
+                         uint32_t triangleCount, uint32_t width, uint32_t height);
+
+}  // namespace manylight

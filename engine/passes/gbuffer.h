@@ -1,0 +1,21 @@
+// Geometry pass: rasterise which triangle each pixel sees, then look up its surface once per pixel.
+#pragma once
+
+#include "engine/passes/gpu_scene.h"
+
+namespace manylight {
+
+struct GBuffer {
+    ImageHandle position;  // RGBA32_UINT: position bits, triangle + 1 (0: nothing seen)
+    ImageHandle shading;   // RGBA32_UINT: octahedral normal as two floats, albedo with 21 bits a channel
+    ImageHandle depth;     // D32_SFLOAT, reversed: 1 at the near plane, 0 at infinity
+};
+
+GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
+                   uint32_t width, uint32_t height);
+
+/// Depth alone, for forward shading with a pre-pass. Reversed like the G-buffer's.
+ImageHandle addDepthPrepass(FrameGraph& graph, const SceneHandles& scene, uint32_t triangleCount, uint32_t width,
+                            uint32_t height);
+
+}  // namespace manylight

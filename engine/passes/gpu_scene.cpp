@@ -1,0 +1,172 @@
+#include "engine/passes/gpu_scene.h"
+
+#include "engine/gpu/transfer.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/material.h"
+
+#include <algorithm>
+#include <span>
+
+namespace manylight {
+namespace {
+
+uint32_t textureMode(const Texture& texture) {
+    uint32_t mode = texture.filter == TextureFilter::Nearest ? shared::kTextureNearest : 0u;
+    if (texture.wrapU == TextureWrap::ClampToEdge) mode |= shared::kTextureClampU;
+    if (texture.wrapU == TextureWrap::MirroredRepeat) mode |= shared::kTextureMirrorU;
+    if (texture.wrapV == TextureWrap::ClampToEdge) mode |= shared::kTextureClampV;
+    if (texture.wrapV == TextureWrap::MirroredRepeat) mode |= shared::kTextureMirrorV;
+    return mode;
+}
+
+std::vector<shared::Material> packMaterials(const Scene& scene, const ScenePlan& plan) {
+    std::vector<shared::Material> packed;
+    for (const Material& material : scene.materials) {
+        const bool textured = plan.textured && material.albedoTexture != kNoTexture;
+        packed.push_back({material.albedo, textured ? static_cast<uint32_t>(material.albedoTexture) : shared::kNoTexture,
+                          material.emittedRadiance, 0});
+    }
+    return packed;
+}
+
+struct TextureData {
+    std::vector<shared::TextureInfo> infos;
+    std::vector<uint8_t> texels;
+};
+
+TextureData packTextures(const Scene& scene) {
+    TextureData data;
+    for (const Texture& texture : scene.textures) {
+        data.infos.push_back({static_cast<uint32_t>(data.texels.size() / 4), texture.width, texture.height,
+                              textureMode(texture)});
+        data.texels.insert(data.texels.end(), texture.rgba.begin(), texture.rgba.end());
+    }
+    return data;
+}
+
+/// Creates storage buffers and queues their content.
+class SceneUploader {
+  public:
+    explicit SceneUploader(gpu::Device& device) : device_(device), uploader_(device) {}
+
+    template <typename T>
+    PhysicalBuffer upload(const char* name, const std::vector<T>& content, VkBufferUsageFlags usage,
+                          VkFormat texelFormat = VK_FORMAT_UNDEFINED) {
+        const auto bytes = std::as_bytes(std::span(content));
+        if (texelFormat == VK_FORMAT_UNDEFINED && bytes.size() > device_.limits().maxStorageBufferRange)
+            fail("the scene's {} take {} MiB, device {} allows {} MiB in one buffer", name, bytes.size() >> 20,
+                 device_.info().name, device_.limits().maxStorageBufferRange >> 20);
+        PhysicalBuffer buffer{gpu::Buffer(device_, name,
+                                          {bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                           gpu::MemoryKind::Device, texelFormat}),
+                              {}};
+        uploader_.upload(buffer.buffer, bytes);
+        return buffer;
+    }
+    void finish() { uploader_.flush(); }
+
+  private:
+    gpu::Device& device_;
+    gpu::Uploader uploader_;
+};
+
+void measureSurfaces(GpuScene& gpuScene, const Scene& scene) {
+    double albedoArea = 0.0;
+    for (const Triangle& triangle : scene.triangles) {
+        const glm::dvec3 p0 = scene.vertices[triangle.vertex[0]].position;
+        const glm::dvec3 p1 = scene.vertices[triangle.vertex[1]].position;
+        const glm::dvec3 p2 = scene.vertices[triangle.vertex[2]].position;
+        const double area = 0.5 * glm::length(glm::cross(p1 - p0, p2 - p0));
+        const glm::vec3 albedo = scene.materials[triangle.material].albedo;
+        gpuScene.surfaceArea += area;
+        albedoArea += area * double{std::max({albedo.x, albedo.y, albedo.z})};
+    }
+    gpuScene.meanAlbedo = gpuScene.surfaceArea > 0.0 ? static_cast<float>(albedoArea / gpuScene.surfaceArea) : 0.0f;
+}
+
+}  // namespace
+
+GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh) {
+    constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    constexpr VkBufferUsageFlags kTexel = VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
+    std::vector<uint32_t> triangleMaterials;
+    std::vector<glm::vec2> uvs;
+    for (const uint32_t index : bvh.triangleOrder) {
+        const Triangle& triangle = scene.triangles[index];
+        triangleMaterials.push_back(triangle.material);
+        if (plan.textured)
+            for (const uint32_t vertex : triangle.vertex) uvs.push_back(scene.vertices[vertex].uv);
+    }
+    const TextureData textures = plan.textured ? packTextures(scene) : TextureData{};
+
+    GpuScene gpuScene;
+    gpuScene.triangleCount = static_cast<uint32_t>(scene.triangles.size());
+    gpuScene.triangleOrder = bvh.triangleOrder;
+    gpuScene.sphere = boundingSphere(scene);
+    gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius);
+    measureSurfaces(gpuScene, scene);
+
+    SceneUploader uploader(device);
+    gpuScene.bvhNodes = uploader.upload("BVH nodes", bvh.nodes, kTexel, VK_FORMAT_R32G32B32A32_UINT);
+    gpuScene.triangles = uploader.upload("triangles", packTriangles(scene, bvh),
+                                         kTexel | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, VK_FORMAT_R32G32B32A32_UINT);
+    gpuScene.triangleMaterials = uploader.upload("triangle materials", triangleMaterials, kStorage);
+    gpuScene.triangleUvs = uploader.upload("triangle uvs", uvs, kStorage);
+    gpuScene.materials = uploader.upload("materials", packMaterials(scene, plan), kStorage);
+    gpuScene.textureInfos = uploader.upload("texture infos", textures.infos, kStorage);
+    gpuScene.texels = uploader.upload("texels", textures.texels, kTexel, VK_FORMAT_R8G8B8A8_UNORM);
+    gpuScene.emitters = uploader.upload("emitters", gpuScene.emitterTable.emitters, kStorage);
+    uploader.finish();
+
+    gpuScene.bvhNodeCount = bvh.nodes.size();
+    gpuScene.bvhDepth = bvh.depth;
+    gpuScene.geometryBytes = gpuScene.bvhNodes.buffer.size() + gpuScene.triangles.buffer.size() +
+                             gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size();
+    gpuScene.totalBytes = gpuScene.geometryBytes + gpuScene.materials.buffer.size() +
+                          gpuScene.textureInfos.buffer.size() + gpuScene.texels.buffer.size() +
+                          gpuScene.emitters.buffer.size();
+    return gpuScene;
+}
+
+Json GpuScene::report() const {
+    return {{"geometry_bytes", geometryBytes},
+            {"geometry_bytes_per_triangle",
+             triangleCount > 0 ? static_cast<double>(geometryBytes) / triangleCount : 0.0},
+            {"scene_bytes", totalBytes},
+            {"bvh_nodes", bvhNodeCount},
+            {"bvh_depth", bvhDepth}};
+}
+
+SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status) {
+    return {.frame = importPhysical(graph, "frame constants", frame),
+            .status = importPhysical(graph, "status", status),
+            .bvhNodes = importPhysical(graph, "BVH nodes", scene.bvhNodes),
+            .triangles = importPhysical(graph, "triangles", scene.triangles),
+            .triangleMaterials = importPhysical(graph, "triangle materials", scene.triangleMaterials),
+            .triangleUvs = importPhysical(graph, "triangle uvs", scene.triangleUvs),
+            .materials = importPhysical(graph, "materials", scene.materials),
+            .textureInfos = importPhysical(graph, "texture infos", scene.textureInfos),
+            .texels = importPhysical(graph, "texels", scene.texels),
+            .emitters = importPhysical(graph, "emitters", scene.emitters)};
+}
+
+void readFrame(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {
+    pass.read(scene.frame, kind == PipelineKind::Compute ? Access::ComputeUniform : Access::GraphicsUniform,
+              shared::kBindingFrame);
+}
+
+void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {
+    const bool compute = kind == PipelineKind::Compute;
+    const Access texel = compute ? Access::ComputeTexelRead : Access::GraphicsTexelRead;
+    const Access storage = compute ? Access::ComputeStorageRead : Access::GraphicsStorageRead;
+    readFrame(pass, scene, kind);
+    pass.read(scene.bvhNodes, texel, shared::kBindingBvhNodes)
+        .read(scene.triangleMaterials, storage, shared::kBindingTriangleMaterials)
+        .read(scene.triangleUvs, storage, shared::kBindingTriangleUvs)
+        .read(scene.materials, storage, shared::kBindingMaterials)
+        .read(scene.textureInfos, storage, shared::kBindingTextureInfos)
+        .read(scene.texels, texel, shared::kBindingTexels)
+        .read(scene.triangles, compute ? Access::ComputeTexelRead : Access::VertexAndTexels, shared::kBindingTriangles);
+}
+
+}  // namespace manylight

@@ -1,0 +1,61 @@
+// The scene on the device: what ScenePlan says it needs, and nothing else.
+#pragma once
+
+#include "engine/accel/bvh.h"
+#include "engine/core/report.h"
+#include "engine/graph/pass_context.h"
+#include "engine/scene/emitters.h"
+#include "engine/scene/scene_plan.h"
+
+namespace manylight {
+
+struct GpuScene {
+    PhysicalBuffer bvhNodes;
+    PhysicalBuffer triangles;          // corners with packed normals, in leaf order; also the vertex buffer
+    PhysicalBuffer triangleMaterials;  // one index per triangle
+    PhysicalBuffer triangleUvs;        // three per triangle, if textured
+    PhysicalBuffer materials;
+    PhysicalBuffer textureInfos;
+    PhysicalBuffer texels;
+    PhysicalBuffer emitters;
+
+    uint32_t triangleCount = 0;
+    std::vector<uint32_t> triangleOrder;  // leaf order -> Scene::triangles
+    EmitterTable emitterTable;
+    BoundingSphere sphere;
+    double surfaceArea = 0.0;     // of all triangles, normalised frame
+    float meanAlbedo = 0.0f;      // area-weighted, largest channel, textures not looked at
+    uint64_t geometryBytes = 0;   // triangles, materials' indices, uvs and BVH
+    uint64_t totalBytes = 0;
+    Json report() const;          // bytes, bytes per triangle, BVH nodes and depth
+    uint64_t bvhNodeCount = 0;
+    uint32_t bvhDepth = 0;
+};
+
+/// Uploads through staging and waits. Throws Error if the device cannot hold the scene.
+GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh);
+
+/// The scene's buffers in one frame's graph.
+struct SceneHandles {
+    BufferHandle frame;
+    BufferHandle status;
+    BufferHandle bvhNodes;
+    BufferHandle triangles;
+    BufferHandle triangleMaterials;
+    BufferHandle triangleUvs;
+    BufferHandle materials;
+    BufferHandle textureInfos;
+    BufferHandle texels;
+    BufferHandle emitters;
+};
+SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status);
+
+enum class PipelineKind : uint8_t { Compute, Graphics };
+
+/// Declares that a pass looks up surfaces: frame constants, BVH, triangles (a graphics pass also draws them),
+/// materials and textures.
+void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
+/// Declares that a pass reads the frame constants.
+void readFrame(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
+
+}  // namespace manylight

@@ -1,0 +1,31 @@
+#include "engine/passes/shading_work.h"
+
+#include "engine/core/check.h"
+
+#include <algorithm>
+
+namespace manylight {
+
+std::vector<shared::ShadePush> shadingStretches(uint32_t lightCount, uint32_t vplCount, uint32_t limit,
+                                                bool showEmission) {
+    MANYLIGHT_CHECK(limit % shared::kVplPadding == 0u, "stretches of {}", limit);
+    std::vector<shared::ShadePush> stretches;
+    uint32_t light = 0;
+    uint32_t vpl = 0;
+    do {
+        shared::ShadePush push{};
+        push.firstLight = light;
+        push.lightCount = std::min(limit, lightCount - light);
+        light += push.lightCount;
+        push.firstVpl = vpl;
+        // VPLs in whole blocks of the padding, so that a stretch never starts inside a subgroup's block.
+        const uint32_t room = (limit - push.lightCount) / shared::kVplPadding * shared::kVplPadding;
+        if (light == lightCount) push.vplCount = std::min(room, vplCount - vpl);
+        vpl += push.vplCount;
+        push.showEmission = showEmission && stretches.empty() ? 1u : 0u;
+        stretches.push_back(push);
+    } while (light < lightCount || vpl < vplCount);
+    return stretches;
+}
+
+}  // namespace manylight

@@ -1,0 +1,30 @@
+#include "engine/passes/vpl_compact.h"
+
+#include "shaders/shared/bindings.h"
+
+namespace manylight {
+
+BufferHandle addVplCompact(FrameGraph& graph, SceneHandles& scene, PathBuffers& paths, BufferHandle vpls,
+                           const shared::EmissionPush& push) {
+    PassBuilder scan = graph.addPass("vpl_scan");
+    paths.offsets = scan.write(paths.offsets, Access::ComputeStorageReadWrite, shared::kBindingPathOffsets);
+    scan.execute([push](PassContext& context) {
+        context.dispatch({.shader = "vpl_scan.comp", .groupWidth = shared::kScanGroupSize}, shared::kScanGroupSize, 1,
+                         push);
+    });
+
+    PassBuilder compact = graph.addPass("vpl_compact");
+    readFrame(compact, scene, PipelineKind::Compute);
+    compact.read(paths.offsets, Access::ComputeStorageRead, shared::kBindingPathOffsets)
+        .read(paths.vertices, Access::ComputeStorageRead, shared::kBindingPathVertices);
+    scene.status = compact.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
+    const Access list = push.firstPath == 0 ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite;
+    vpls = compact.write(vpls, list, shared::kBindingVpls);
+    compact.execute([push](PassContext& context) {
+        context.dispatch({.shader = "vpl_compact.comp", .groupWidth = shared::kEmissionGroupSize}, push.paddedVplCount,
+                         1, push);
+    });
+    return vpls;
+}
+
+}  // namespace manylight

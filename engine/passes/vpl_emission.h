@@ -1,0 +1,22 @@
+// Light paths: they leave the emitters, go from surface to surface, and their vertices become the VPL list.
+#pragma once
+
+#include "engine/passes/gpu_scene.h"
+
+namespace manylight {
+
+struct VplEmissionOptions {
+    uint32_t pathCount = 0;       // N of the estimators
+    uint32_t vplCount = 0;        // entries of the list that are shaded
+    uint32_t bounceCount = 0;     // surfaces a path may meet, at least 1
+    bool russianRoulette = true;  // by the albedo; without it every path goes on to the depth limit
+};
+
+/// The VPL list: LightData, `vplCount` entries padded with dark ones to a multiple of shared::kVplPadding.
+BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
+                            const VplEmissionOptions& options);
+
+/// Entries of the list with its padding.
+uint32_t paddedVplCount(uint32_t vplCount);
+
+}  // namespace manylight

@@ -1,0 +1,40 @@
+#include "engine/passes/vpl_light.h"
+
+#include "engine/passes/shading_work.h"
+#include "engine/passes/surface_options.h"
+#include "shaders/shared/bindings.h"
+
+namespace manylight {
+
+ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
+                        BufferHandle vpls, const VplLightOptions& options, std::optional<ImageHandle> radiance,
+                        uint32_t width, uint32_t height) {
+    const bool shadows = options.castShadows;
+    const uint32_t limit = shadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
+    const uint32_t pixelsPerThread = shadows ? 1u : shared::kPixelsPerInvocation;
+    for (const shared::ShadePush& push : shadingStretches(0, options.vplCount, limit, false)) {
+        const bool adds = radiance.has_value();
+        if (!adds) radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+        PassBuilder pass = graph.addPass("vpl_light");
+        readSurfaces(pass, scene, PipelineKind::Compute);
+        pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
+            .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
+            .read(vpls, Access::ComputeStorageRead, shared::kBindingVpls);
+        if (shadows) scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
+        radiance = pass.write(*radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
+                              shared::kBindingRadiance);
+        gpu::Specialisation constants = surfaceOptions(plan);
+        constants.insert(constants.end(), {shadows, options.subgroupSize, adds});
+        pass.execute([constants, push, shadows, width, height, pixelsPerThread](PassContext& context) {
+            context.dispatch({.shader = shadows ? "vpl_light_shadowed.comp" : "vpl_light.comp",
+                              .groupWidth = shared::kVplGroupWidth,
+                              .groupHeight = shared::kVplGroupHeight,
+                              .specialisation = constants,
+                              .fullSubgroups = true},
+                             width, (height + pixelsPerThread - 1) / pixelsPerThread, push);
+        });
+    }
+    return *radiance;
+}
+
+}  // namespace manylight

@@ -1,0 +1,132 @@
+#include "engine/scene/emitters.h"
+
+#include "shaders/shared/constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace manylight {
+namespace {
+
+using shared::Emitter;
+
+constexpr double kPi = shared::kPi;
+constexpr double kDefensiveShare = 0.1;
+
+double meanChannel(glm::vec3 v) { return (double{v.x} + double{v.y} + double{v.z}) / 3.0; }
+
+/// Integral of the spot's falloff over solid angle, exact for a falloff linear in the angle.
+double spotSolidAngle(const Light& light) {
+    const double cutoff = std::acos(double{light.cosCutoff});
+    const double beam = std::acos(double{light.cosBeam});
+    const double full = 2.0 * kPi * (1.0 - double{light.cosBeam});
+    if (cutoff - beam < 1e-9) return full;
+    // int_beam^cutoff (cutoff - t) / (cutoff - beam) sin t dt
+    const double ramp =
+        ((cutoff - beam) * std::cos(beam) - std::sin(cutoff) + std::sin(beam)) / (cutoff - beam);
+    return full + 2.0 * kPi * ramp;
+}
+
+Emitter fromLight(const Light& light, uint32_t kind) {
+    Emitter emitter{};
+    emitter.position = light.position;
+    emitter.kind = kind;
+    emitter.edge1 = light.direction;
+    emitter.emission = light.emission;
+    emitter.cosCutoff = light.cosCutoff;
+    emitter.cosBeam = light.cosBeam;
+    return emitter;
+}
+
+struct Candidate {
+    Emitter emitter;
+    double power;
+    bool isArea;
+};
+
+Candidate fromLight(const Light& light, double sceneRadius) {
+    const double emission = meanChannel(light.emission);
+    const double disk = kPi * sceneRadius * sceneRadius;
+    switch (light.type) {
+        case LightType::Point: return {fromLight(light, shared::kEmitterPoint), emission * 4.0 * kPi, false};
+        case LightType::Spot: return {fromLight(light, shared::kEmitterSpot), emission * spotSolidAngle(light), false};
+        case LightType::Directional:
+            return {fromLight(light, shared::kEmitterDirectional), emission * disk, false};
+        case LightType::Constant: break;
+    }
+    return {fromLight(light, shared::kEmitterConstant), emission * 4.0 * kPi * disk, true};
+}
+
+Candidate fromTriangle(const Scene& scene, const Triangle& triangle) {
+    const glm::vec3 p0 = scene.vertices[triangle.vertex[0]].position;
+    Emitter emitter{};
+    emitter.kind = shared::kEmitterTriangle;
+    emitter.position = p0;
+    emitter.edge1 = scene.vertices[triangle.vertex[1]].position - p0;
+    emitter.edge2 = scene.vertices[triangle.vertex[2]].position - p0;
+    emitter.emission = scene.materials[triangle.material].emittedRadiance;
+    const double area = 0.5 * glm::length(glm::cross(glm::dvec3(emitter.edge1), glm::dvec3(emitter.edge2)));
+    emitter.area = static_cast<float>(area);
+    return {emitter, meanChannel(emitter.emission) * area * kPi, true};
+}
+
+/// Fills probability and cumulative of the chosen fields; the last cumulative is exactly 1.
+template <typename Includes>
+void distribute(std::vector<Candidate>& candidates, Includes includes, float Emitter::*probability,
+                float Emitter::*cumulative) {
+    double total = 0.0;
+    size_t count = 0;
+    for (const Candidate& candidate : candidates)
+        if (includes(candidate)) total += candidate.power, ++count;
+    double sum = 0.0;
+    for (Candidate& candidate : candidates) {
+        double p = 0.0;
+        if (includes(candidate)) {
+            const double share = total > 0.0 ? candidate.power / total : 1.0 / static_cast<double>(count);
+            p = (1.0 - kDefensiveShare) * share + kDefensiveShare / static_cast<double>(count);
+        }
+        sum += p;
+        candidate.emitter.*probability = static_cast<float>(p);
+        candidate.emitter.*cumulative = static_cast<float>(std::min(sum, 1.0));
+    }
+    // Rounding must not leave a gap at the top that belongs to nobody.
+    for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
+        candidate->emitter.*cumulative = 1.0f;
+        if (includes(*candidate)) break;
+    }
+}
+
+}  // namespace
+
+BoundingSphere boundingSphere(const Scene& scene) {
+    const float radius = 0.5f * glm::length(scene.boundsMax - scene.boundsMin);
+    // A little larger: corners of the bounds lie on the sphere and must be covered.
+    return {0.5f * (scene.boundsMin + scene.boundsMax), std::max(radius * 1.001f, 1e-3f)};
+}
+
+EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
+    std::vector<Candidate> candidates;
+    EmitterTable table;
+    for (const Light& light : scene.lights) {
+        candidates.push_back(fromLight(light, double{sceneRadius}));
+        if (light.type == LightType::Constant) table.environmentRadiance += light.emission;
+    }
+    for (const Triangle& triangle : scene.triangles)
+        if (scene.materials[triangle.material].emittedRadiance != glm::vec3(0.0f))
+            candidates.push_back(fromTriangle(scene, triangle));
+
+    std::erase_if(candidates, [](const Candidate& candidate) { return !(candidate.power > 0.0); });
+    std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.isArea; });
+    distribute(candidates, [](const Candidate&) { return true; }, &Emitter::probability, &Emitter::cumulative);
+    distribute(candidates, [](const Candidate& c) { return c.isArea; }, &Emitter::areaProbability,
+               &Emitter::areaCumulative);
+    for (const Candidate& candidate : candidates) {
+        table.emitters.push_back(candidate.emitter);
+        table.totalPower += candidate.power;
+        if (candidate.isArea) ++table.areaLightCount;
+        else ++table.deltaLightCount;
+    }
+    return table;
+}
+
+}  // namespace manylight

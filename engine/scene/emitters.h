@@ -1,0 +1,32 @@
+// The emitter table: every light and emissive triangle, with the probabilities by which light paths choose among them.
+#pragma once
+
+#include "engine/scene/scene.h"
+#include "shaders/shared/lights.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace manylight {
+
+struct EmitterTable {
+    std::vector<shared::Emitter> emitters;  // point, spot and directional lights first
+    uint32_t deltaLightCount = 0;           // how many of these there are
+    uint32_t areaLightCount = 0;            // emissive triangles and the environment
+    glm::vec3 environmentRadiance{0.0f};    // sum of constant lights
+    double totalPower = 0.0;                // W in the normalised frame, mean of the channels
+};
+
+/// P = 0.9 * share of power + 0.1 / count: a weak light among strong ones keeps its share of paths (Veach's defensive
+/// mixture). Lights of no power are left out. `sceneRadius`: of the sphere that directional light and
+/// the environment must cover.
+EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius);
+
+/// Sphere around the scene's bounds.
+struct BoundingSphere {
+    glm::vec3 center{0.0f};
+    float radius = 1.0f;
+};
+BoundingSphere boundingSphere(const Scene& scene);
+
+}  // namespace manylight

@@ -1,0 +1,78 @@
+#include "engine/scene/gltf.h"
+
+#include "engine/core/error.h"
+#include "engine/scene/gltf_check.h"
+#include "engine/scene/gltf_container.h"
+#include "engine/scene/gltf_materials.h"
+#include "engine/scene/gltf_nodes.h"
+
+#include <algorithm>
+
+namespace manylight {
+namespace {
+
+/// What tinygltf is to see. Buffers and images are opened by us (it trusts their sizes, expands their names in a shell
+/// and gives up on one it does not need); the rest is not used.
+Json forTinygltf(const Json& checked) {
+    Json json = checked;
+    for (const char* key : {"buffers", "images", "animations", "skins"}) json.erase(key);
+    if (!json.contains("accessors")) return json;
+    // It insists on a buffer view for indices: an extra one past the file's own stands for "none".
+    const int noView = static_cast<int>(json.contains("bufferViews") ? json["bufferViews"].size() : 0);
+    json["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
+    for (Json& accessor : json["accessors"]) {
+        if (!accessor.contains("bufferView")) accessor["bufferView"] = noView;
+        if (gltfComponentCount(accessor["type"].get<std::string>()) == 0) accessor["type"] = "SCALAR";
+    }
+    return json;
+}
+
+/// tinygltf leaves out what it cannot parse; nothing may be missing.
+void checkNothingLost(const GltfFile& gltf) {
+    const Json& json = gltf.container.json;
+    if (!json.contains("meshes")) return;
+    for (size_t i = 0; i < gltf.model.meshes.size(); ++i)
+        if (gltf.model.meshes[i].primitives.size() != json["meshes"][i]["primitives"].size())
+            fail("{}: meshes[{}]: a primitive cannot be read", gltf.container.file, i);
+}
+
+void dropUnusedDefaultMaterial(RawScene& scene) {
+    const auto last = static_cast<uint32_t>(scene.materials.size() - 1);
+    const bool isUsed = std::any_of(scene.triangles.begin(), scene.triangles.end(),
+                                    [&](const RawTriangle& triangle) { return triangle.material == last; });
+    if (!isUsed) scene.materials.pop_back();
+}
+
+tinygltf::Model parseModel(const GltfContainer& container) {
+    const std::string text = forTinygltf(container.json).dump(-1, ' ', true, Json::error_handler_t::replace);
+    tinygltf::Model model;
+    tinygltf::TinyGLTF parser;
+    std::string error;
+    std::string warning;
+    const bool isRead =
+        parser.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned int>(text.size()), "");
+    std::replace(error.begin(), error.end(), '\n', ' ');
+    if (!isRead) fail("{}: not readable as glTF: {}", container.file, error);
+    return model;
+}
+
+}  // namespace
+
+RawScene readGltf(const std::filesystem::path& path) {
+    RawScene scene;
+    scene.name = path.stem().string();
+    scene.path = path;
+    GltfFile gltf;
+    gltf.container = openGltf(path, scene.warnings);
+    checkGltf(JsonView(gltf.container.json, gltf.container.file), scene.warnings);
+    loadGltfBuffers(gltf.container, scene.warnings);
+    gltf.model = parseModel(gltf.container);
+    if (gltf.container.json.contains("bufferViews")) gltf.viewCount = gltf.container.json["bufferViews"].size();
+    checkNothingLost(gltf);
+    addGltfMaterials(gltf, scene);
+    addGltfNodes(gltf, scene);
+    dropUnusedDefaultMaterial(scene);
+    return scene;
+}
+
+}  // namespace manylight

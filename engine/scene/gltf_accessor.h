@@ -1,0 +1,28 @@
+// Numbers behind glTF accessors: any component type, interleaved, normalised, sparse.
+#pragma once
+
+#include "engine/scene/gltf_container.h"
+
+#include <tiny_gltf.h>
+
+#include <vector>
+
+namespace manylight {
+
+/// A checked file: the container's buffers and tinygltf's view of the JSON.
+struct GltfFile {
+    GltfContainer container;
+    tinygltf::Model model;
+    size_t viewCount = 0;  // an accessor whose bufferView is not below has no data: zeros, unless sparse
+};
+
+/// All components in element order; normalised integers as [0, 1] or [-1, 1]. Throws Error if a buffer is missing.
+std::vector<double> readGltfNumbers(const GltfFile& gltf, int accessor);
+
+/// An accessor of indices. Throws Error if a buffer is missing.
+std::vector<uint32_t> readGltfIndices(const GltfFile& gltf, int accessor);
+
+/// Bytes of a buffer view. Throws Error if its buffer is missing or too short.
+std::pair<const uint8_t*, size_t> gltfViewBytes(const GltfFile& gltf, int bufferView);
+
+}  // namespace manylight

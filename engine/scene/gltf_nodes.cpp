@@ -1,0 +1,164 @@
+#include "engine/scene/gltf_nodes.h"
+
+#include "engine/core/error.h"
+#include "engine/scene/gltf_meshes.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace manylight {
+namespace {
+
+using Numbers = std::span<const double>;
+
+/// Scales, then rotates by the quaternion (x, y, z, w), then moves. Empty parts change nothing.
+glm::dmat4 composed(Numbers translation, Numbers rotation, Numbers scale) {
+    glm::dmat4 matrix(1.0);
+    if (!rotation.empty()) {
+        const glm::dquat quaternion(rotation[3], rotation[0], rotation[1], rotation[2]);
+        const double length = glm::length(quaternion);
+        if (length > 0.0) matrix = glm::mat4_cast(quaternion / length);
+    }
+    if (!scale.empty())
+        for (int axis = 0; axis < 3; ++axis) matrix[axis] *= scale[static_cast<size_t>(axis)];
+    if (!translation.empty()) matrix[3] = {translation[0], translation[1], translation[2], 1.0};
+    return matrix;
+}
+
+glm::dmat4 parentFromNode(const tinygltf::Node& node) {
+    if (node.matrix.size() != 16) return composed(node.translation, node.rotation, node.scale);
+    glm::dmat4 matrix(1.0);
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<size_t>(i)];
+    return matrix;
+}
+
+/// Transforms of EXT_mesh_gpu_instancing, or the identity alone.
+std::vector<glm::dmat4> instancesOf(const GltfFile& gltf, const tinygltf::Node& node) {
+    const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
+    if (found == node.extensions.end()) return {glm::dmat4(1.0)};
+    const tinygltf::Value& attributes = found->second.Get("attributes");
+    const auto read = [&](const char* name) {
+        return attributes.Has(name) ? readGltfNumbers(gltf, attributes.Get(name).GetNumberAsInt())
+                                    : std::vector<double>();
+    };
+    const std::vector<double> translations = read("TRANSLATION");
+    const std::vector<double> rotations = read("ROTATION");
+    const std::vector<double> scales = read("SCALE");
+    const auto part = [](const std::vector<double>& numbers, size_t i, size_t size) {
+        return numbers.empty() ? Numbers() : Numbers(numbers).subspan(i * size, size);
+    };
+    const size_t count = std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3});
+    std::vector<glm::dmat4> instances;
+    for (size_t i = 0; i < count; ++i)
+        instances.push_back(composed(part(translations, i, 3), part(rotations, i, 4), part(scales, i, 3)));
+    return instances;
+}
+
+void addCamera(const GltfFile& gltf, int index, const glm::dmat4& sceneFromNode, RawScene& scene) {
+    const tinygltf::Camera& source = gltf.model.cameras.at(static_cast<size_t>(index));
+    if (source.type != "perspective") {
+        scene.warnings.add("orthographic cameras dropped", fmt::format("cameras[{}]", index));
+        return;
+    }
+    scene.cameras.push_back({.name = source.name.empty() ? fmt::format("camera {}", index) : source.name,
+                             .origin = glm::dvec3(sceneFromNode[3]),
+                             .forward = -glm::dvec3(sceneFromNode[2]),
+                             .up = glm::dvec3(sceneFromNode[1]),
+                             .verticalFov = source.perspective.yfov,
+                             .resolution = std::nullopt});
+}
+
+void addLight(const GltfFile& gltf, int index, const glm::dmat4& sceneFromNode, RawScene& scene) {
+    const tinygltf::Light& source = gltf.model.lights.at(static_cast<size_t>(index));
+    RawLight light;
+    light.name = source.name.empty() ? fmt::format("light {}", index) : source.name;
+    light.type = source.type == "spot"          ? LightType::Spot
+                 : source.type == "directional" ? LightType::Directional
+                                                : LightType::Point;
+    light.position = glm::dvec3(sceneFromNode[3]);
+    light.direction = -glm::dvec3(sceneFromNode[2]);
+    const glm::dvec3 colour =
+        source.color.size() == 3 ? glm::dvec3(source.color[0], source.color[1], source.color[2]) : glm::dvec3(1.0);
+    light.emission = source.intensity * colour;
+    light.cosBeam = std::cos(std::min(source.spot.innerConeAngle, source.spot.outerConeAngle));
+    light.cosCutoff = std::cos(source.spot.outerConeAngle);
+    scene.lights.push_back(std::move(light));
+}
+
+class NodeWalker {
+  public:
+    NodeWalker(const GltfFile& gltf, RawScene& scene)
+        : gltf_(gltf), scene_(scene), isVisited_(gltf.model.nodes.size()) {}
+
+    void walk() {
+        // A stack of our own: the depth of the hierarchy is the file's choice.
+        for (const int root : roots()) {
+            stack_.push_back({root, glm::dmat4(1.0)});
+            while (!stack_.empty()) {
+                const auto [node, sceneFromParent] = stack_.back();
+                stack_.pop_back();
+                visit(node, sceneFromParent);
+            }
+        }
+        const auto unreached = std::count(isVisited_.begin(), isVisited_.end(), false);
+        scene_.warnings.add("glTF nodes outside the default scene", {}, static_cast<uint64_t>(unreached));
+    }
+
+  private:
+    struct Pending {
+        int node;
+        glm::dmat4 sceneFromParent;
+    };
+
+    std::vector<int> roots() {
+        const tinygltf::Model& model = gltf_.model;
+        if (!model.scenes.empty()) {
+            if (model.defaultScene < 0) scene_.warnings.add("glTF files without a default scene: the first is shown");
+            return model.scenes[static_cast<size_t>(std::max(model.defaultScene, 0))].nodes;
+        }
+        if (!model.nodes.empty()) scene_.warnings.add("glTF files without a scene: all nodes are shown");
+        std::vector<bool> isChild(model.nodes.size());
+        for (const tinygltf::Node& node : model.nodes)
+            for (const int child : node.children) isChild[static_cast<size_t>(child)] = true;
+        std::vector<int> found;
+        for (size_t i = 0; i < isChild.size(); ++i)
+            if (!isChild[i]) found.push_back(static_cast<int>(i));
+        return found;
+    }
+
+    void visit(int index, const glm::dmat4& sceneFromParent) {
+        const auto number = static_cast<size_t>(index);
+        if (isVisited_[number]) fail("{}: nodes[{}]: reached twice, expected a tree", gltf_.container.file, index);
+        isVisited_[number] = true;
+        const tinygltf::Node& node = gltf_.model.nodes[number];
+        const glm::dmat4 sceneFromNode = sceneFromParent * parentFromNode(node);
+        if (node.mesh >= 0)
+            for (const glm::dmat4& nodeFromInstance : instancesOf(gltf_, node))
+                addGltfMesh(gltf_, node.mesh, sceneFromNode * nodeFromInstance, scene_);
+        if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
+        if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
+            addLight(gltf_, found->second.Get("light").GetNumberAsInt(), sceneFromNode, scene_);
+        for (size_t i = node.children.size(); i-- > 0;) stack_.push_back({node.children[i], sceneFromNode});
+    }
+
+    const GltfFile& gltf_;
+    RawScene& scene_;
+    std::vector<bool> isVisited_;
+    std::vector<Pending> stack_;
+};
+
+}  // namespace
+
+void addGltfNodes(const GltfFile& gltf, RawScene& scene) {
+    NodeWalker(gltf, scene).walk();
+    std::vector<bool> isUsed(gltf.model.meshes.size());
+    for (const tinygltf::Node& node : gltf.model.nodes)
+        if (node.mesh >= 0) isUsed[static_cast<size_t>(node.mesh)] = true;
+    const auto unused = std::count(isUsed.begin(), isUsed.end(), false);
+    scene.warnings.add("glTF meshes that no node uses", {}, static_cast<uint64_t>(unused));
+}
+
+}  // namespace manylight

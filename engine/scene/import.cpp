@@ -1,0 +1,45 @@
+#include "engine/scene/import.h"
+
+#include "engine/core/error.h"
+#include "engine/scene/gltf.h"
+#include "engine/scene/normalise.h"
+#include "engine/scene/obj.h"
+#include "engine/scene/scene_file.h"
+#include "engine/scene/sidecar.h"
+
+#include <cctype>
+#include <chrono>
+
+namespace manylight {
+
+SceneFileKind sceneFileKind(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".obj") return SceneFileKind::Obj;
+    if (extension == ".gltf" || extension == ".glb") return SceneFileKind::Gltf;
+    if (extension == ".json") return SceneFileKind::Sidecar;
+    return SceneFileKind::Unknown;
+}
+
+RawScene readSceneFile(const std::filesystem::path& path) {
+    switch (sceneFileKind(path)) {
+        case SceneFileKind::Obj:
+            return readObj(path);
+        case SceneFileKind::Gltf:
+            return readGltf(path);
+        case SceneFileKind::Sidecar:
+            return readSidecar(path);
+        case SceneFileKind::Unknown:
+            break;
+    }
+    fail("{}: unknown kind of scene, expected .obj, .gltf, .glb or a .json sidecar", path.string());
+}
+
+Scene importScene(const std::filesystem::path& path) {
+    const auto start = std::chrono::steady_clock::now();
+    Scene scene = normalise(readSceneFile(path));
+    scene.importReport["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return scene;
+}
+
+}  // namespace manylight

@@ -1,0 +1,22 @@
+// The phases of normalise(): not for use elsewhere.
+#pragma once
+
+#include "engine/scene/raw_scene.h"
+
+namespace manylight {
+
+glm::vec3 normalisedPoint(const SceneFrame& frame, const glm::dvec3& point);
+
+void convertMaterials(const RawScene& raw, Scene& scene);
+void convertLights(const RawScene& raw, Scene& scene);
+void convertCameras(const RawScene& raw, Scene& scene);
+
+/// A view of the whole bounds, if the scene has no camera.
+void addMissingCamera(Scene& scene);
+/// A point light near the first camera, if nothing in the scene emits.
+void addMissingLight(Scene& scene);
+/// A warning if nothing in the scene emits.
+void reportMissingLight(Scene& scene);
+void fillImportReport(Scene& scene, size_t trianglesRead);
+
+}  // namespace manylight

@@ -1,0 +1,87 @@
+// What an importer read, in the file's own units and in double precision, before normalise() makes a Scene of it.
+#pragma once
+
+#include "engine/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace manylight {
+
+struct RawVertex {
+    glm::dvec3 position{0.0};
+    glm::dvec3 normal{0.0};  // any length; meaningful if hasNormal
+    glm::dvec2 uv{0.0};      // v grows with the image's rows
+    bool hasNormal = false;
+};
+
+/// `origin` is the place in the file: a line of an OBJ file, a running number elsewhere (see RawScene::originLabel).
+struct RawTriangle {
+    std::array<uint32_t, 3> vertex{};
+    uint32_t material = 0;
+    uint32_t origin = 0;
+};
+
+struct RawMaterial {
+    std::string name;
+    glm::dvec3 albedo{0.8};
+    int32_t albedoTexture = kNoTexture;
+    glm::dvec3 emittedRadiance{0.0};
+};
+
+/// The fields of Light in file units; `direction` may have any length.
+struct RawLight {
+    LightType type = LightType::Point;
+    std::string name;
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0.0, -1.0, 0.0};
+    glm::dvec3 emission{0.0};
+    double cosCutoff = -1.0;
+    double cosBeam = -1.0;
+};
+
+/// A black quad center +- u +- v that emits towards cross(u, v) only. `u` and `v` are half edges.
+struct RawRectLight {
+    std::string name;
+    glm::dvec3 center{0.0};
+    glm::dvec3 u{0.0};
+    glm::dvec3 v{0.0};
+    glm::dvec3 radiance{0.0};
+};
+
+/// `forward` and `up` may have any length and need not be perpendicular.
+struct RawCamera {
+    std::string name;
+    glm::dvec3 origin{0.0};
+    glm::dvec3 forward{0.0, 0.0, -1.0};
+    glm::dvec3 up{0.0, 1.0, 0.0};
+    double verticalFov = 0.87;  // radians
+    std::optional<glm::uvec2> resolution;
+};
+
+struct RawScene {
+    std::string name;
+    std::filesystem::path path;
+    std::string originLabel = "triangle";  // what RawTriangle::origin counts: "line" or "triangle"
+
+    std::vector<RawVertex> vertices;
+    std::vector<RawTriangle> triangles;
+    std::vector<RawMaterial> materials;
+    std::vector<Texture> textures;
+    std::vector<RawLight> lights;
+    std::vector<RawRectLight> rectLights;
+    std::vector<RawCamera> cameras;
+    bool lightsAreFinal = false;  // the user listed the lights: add none, even if there are none
+    std::optional<int> maxDepth;
+
+    Json settings = Json::object();
+    Warnings warnings;
+};
+
+}  // namespace manylight

@@ -1,0 +1,107 @@
+// Scene: plain data, in the normalised frame, known to no Vulkan. The importers make it, everything else reads it.
+#pragma once
+
+#include "engine/core/report.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace manylight {
+
+/// scenePoint = center + 2^exponent * normalisedPoint. The diagonal of the normalised bounds is in [1, 2).
+/// Directions and radiance are the same in both frames; an intensity (W/sr) scales by 4^-exponent on the way in.
+struct SceneFrame {
+    glm::dvec3 center{0.0};
+    int exponent = 0;
+};
+
+enum class TextureWrap : uint8_t { Repeat, ClampToEdge, MirroredRepeat };
+enum class TextureFilter : uint8_t { Linear, Nearest };
+
+/// 8-bit RGBA texels, row 0 at v = 0 (the importers flip OBJ images, whose v points up). Colour is sRGB encoded.
+struct Texture {
+    std::string name;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    TextureWrap wrapU = TextureWrap::Repeat;
+    TextureWrap wrapV = TextureWrap::Repeat;
+    TextureFilter filter = TextureFilter::Linear;
+    std::vector<uint8_t> rgba;  // width * height * 4
+};
+
+inline constexpr int32_t kNoTexture = -1;
+
+/// A two-sided Lambertian reflector that may also emit from its front (counter-clockwise) side.
+struct Material {
+    std::string name;
+    glm::vec3 albedo{0.8f};                 // linear, in [0, 1]; multiplied by the texture if there is one
+    int32_t albedoTexture = kNoTexture;     // index into Scene::textures
+    glm::vec3 emittedRadiance{0.0f};        // W / (sr m^2), front side only
+};
+
+/// Three corners of unified vertices plus a material: indices into Scene::vertices and Scene::materials.
+struct Triangle {
+    std::array<uint32_t, 3> vertex{};
+    uint32_t material = 0;
+};
+
+/// `normal` is a unit shading normal, or zero where the file has none: then the triangle is flat.
+struct Vertex {
+    glm::vec3 position{0.0f};  // normalised frame
+    glm::vec3 normal{0.0f};
+    glm::vec2 uv{0.0f};        // v grows with the image's rows
+};
+
+enum class LightType : uint8_t { Point, Spot, Directional, Constant };
+
+/// A light that is no surface. Emissive triangles are lights too, through their material; a sidecar's rect_area
+/// becomes two such triangles with a black material.
+struct Light {
+    LightType type = LightType::Point;
+    std::string name;
+    glm::vec3 position{0.0f};            // normalised frame; point, spot
+    glm::vec3 direction{0.0f, -1, 0};    // unit, of travel; spot, directional
+    /// Point, spot: radiant intensity in the normalised frame. Directional: irradiance on a perpendicular plane.
+    /// Constant: radiance of the surroundings.
+    glm::vec3 emission{0.0f};
+    float cosCutoff = -1.0f;             // spot: dark outside; linear in angle between beam and cutoff
+    float cosBeam = -1.0f;               // spot: full intensity inside
+};
+
+/// Pinhole. All vectors in the normalised frame; `forward` and `up` are unit and perpendicular.
+struct Camera {
+    std::string name;
+    glm::vec3 origin{0.0f};
+    glm::vec3 forward{0.0f, 0.0f, -1.0f};
+    glm::vec3 up{0.0f, 1.0f, 0.0f};
+    float verticalFov = 0.7853982f;      // radians
+    std::optional<glm::uvec2> resolution;  // width, height, where the file names one
+};
+
+struct Scene {
+    std::string name;
+    std::filesystem::path path;          // what the user asked for
+    SceneFrame frame;
+    glm::vec3 boundsMin{0.0f};           // of the triangles, normalised frame
+    glm::vec3 boundsMax{0.0f};
+
+    std::vector<Vertex> vertices;
+    std::vector<Triangle> triangles;
+    std::vector<Material> materials;     // at least one if there are triangles
+    std::vector<Texture> textures;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;         // at least one: the importer adds a default and says so
+    std::optional<int> maxDepth;         // sidecar's max_depth: -1 unlimited, 1 emission, 2 direct, 3 one bounce
+
+    Json settings = Json::object();      // sidecar's "settings": defaults for the command line's options
+    Json importReport = Json::object();  // counts of what was read
+    Warnings warnings;                   // everything dropped or repaired
+};
+
+}  // namespace manylight

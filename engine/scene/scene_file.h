@@ -1,0 +1,17 @@
+// Which kind of scene file a path names, by its extension.
+#pragma once
+
+#include "engine/scene/raw_scene.h"
+
+#include <filesystem>
+
+namespace manylight {
+
+enum class SceneFileKind : uint8_t { Obj, Gltf, Sidecar, Unknown };
+
+SceneFileKind sceneFileKind(const std::filesystem::path& path);
+
+/// Reads a scene file of any kind. Throws Error; an unknown extension lists the known ones.
+RawScene readSceneFile(const std::filesystem::path& path);
+
+}  // namespace manylight

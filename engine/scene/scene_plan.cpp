@@ -1,0 +1,83 @@
+#include "engine/scene/scene_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace manylight {
+namespace {
+
+/// Notes the decision and returns whether the thing is needed.
+bool decide(ScenePlan& plan, bool everything, bool needed, const char* what, const std::string& reason,
+            uint64_t savedBytes = 0) {
+    const bool leftOut = !needed && !everything;
+    plan.decisions.push_back({what, leftOut, needed ? reason : everything ? "--no-plan" : reason,
+                              leftOut ? savedBytes : 0});
+    return !leftOut;
+}
+
+uint64_t texelBytes(const Scene& scene) {
+    uint64_t bytes = 0;
+    for (const Texture& texture : scene.textures) bytes += texture.rgba.size();
+    return bytes;
+}
+
+bool emits(const Material& material) { return material.emittedRadiance != glm::vec3(0.0f); }
+
+}  // namespace
+
+ScenePlan planScene(const Scene& scene, bool everything) {
+    ScenePlan plan;
+    const auto usesMaterial = [&](auto&& predicate) {
+        return std::any_of(scene.triangles.begin(), scene.triangles.end(),
+                           [&](const Triangle& triangle) { return predicate(scene.materials[triangle.material]); });
+    };
+
+    const bool textured = usesMaterial([](const Material& material) { return material.albedoTexture != kNoTexture; });
+    plan.textured = decide(plan, everything, textured, "textures",
+                           textured ? "a triangle's material has a texture" : "no triangle's material has a texture",
+                           scene.triangles.size() * 3 * sizeof(glm::vec2) + texelBytes(scene));
+
+    const bool normals = std::any_of(scene.vertices.begin(), scene.vertices.end(),
+                                     [](const Vertex& vertex) { return vertex.normal != glm::vec3(0.0f); });
+    plan.shadingNormals = decide(plan, everything, normals, "shading normals",
+                                 normals ? "a vertex has a normal" : "no vertex has a normal: all triangles are flat");
+
+    const bool emissive = usesMaterial(emits);
+    const bool environment = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                         [](const Light& light) { return light.type == LightType::Constant; });
+    plan.areaLights = decide(plan, everything, emissive || environment, "samples of area lights",
+                             emissive      ? "there are emissive triangles"
+                             : environment ? "there is an environment"
+                                           : "no emissive triangle and no environment");
+
+    // Nothing to trace is nothing to trace: --no-plan cannot bring light into a scene without any.
+    const bool paths = !scene.triangles.empty() && (emissive || !scene.lights.empty());
+    plan.lightPaths = paths;
+    plan.decisions.push_back({"light paths", !paths,
+                              scene.triangles.empty() ? "there is no geometry"
+                              : paths                 ? "there is light and geometry"
+                                                      : "there is no light",
+                              0});
+    return plan;
+}
+
+std::string explain(const ScenePlan& plan) {
+    std::string text;
+    for (const PlanDecision& decision : plan.decisions)
+        text += fmt::format("{:8} {:24} {}{}\n", decision.leftOut ? "left out" : "kept", decision.what, decision.reason,
+                            decision.savedBytes > 0 ? fmt::format(" ({} bytes saved)", decision.savedBytes) : "");
+    return text;
+}
+
+Json toJson(const ScenePlan& plan) {
+    Json json = Json::array();
+    for (const PlanDecision& decision : plan.decisions)
+        json.push_back({{"what", decision.what},
+                        {"left_out", decision.leftOut},
+                        {"reason", decision.reason},
+                        {"saved_bytes", decision.savedBytes}});
+    return json;
+}
+
+}  // namespace manylight

@@ -1,0 +1,34 @@
+// What this scene does not need, decided once, in one place, each time with the reason.
+#pragma once
+
+#include "engine/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace manylight {
+
+/// One thing left out (or kept) and why; `savedBytes` of device memory.
+struct PlanDecision {
+    std::string what;
+    bool leftOut = false;
+    std::string reason;
+    uint64_t savedBytes = 0;
+};
+
+struct ScenePlan {
+    bool textured = true;          // uvs, texels and their lookups
+    bool shadingNormals = true;    // interpolated normals and the light paths' correction for them
+    bool areaLights = true;        // samples of emissive triangles and of the environment for direct light
+    bool lightPaths = true;        // any light at all, and surfaces to send it to
+    std::vector<PlanDecision> decisions;
+};
+
+/// `everything` (--no-plan) leaves nothing out; the picture is the same.
+ScenePlan planScene(const Scene& scene, bool everything = false);
+
+/// One line a decision, for --explain.
+std::string explain(const ScenePlan& plan);
+Json toJson(const ScenePlan& plan);
+
+}  // namespace manylight

@@ -1,0 +1,25 @@
+#include "engine/techniques/forward_radiosity.h"
+
+#include "engine/passes/forward.h"
+#include "engine/techniques/lights_of_frame.h"
+
+namespace manylight {
+
+TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs) {
+    const RenderSettings& settings = inputs.settings;
+    const uint32_t triangleCount = inputs.gpuScene.triangleCount;
+    const LightsOfFrame lights = addLightsOfFrame(graph, scene, inputs);
+    std::optional<ImageHandle> depth;
+    if (settings.technique == Technique::ForwardPrepass)
+        depth = addDepthPrepass(graph, scene, triangleCount, settings.width, settings.height);
+    const ForwardResult forward = addForward(graph, scene, inputs.plan, lights.lights.lights, lights.vpls,
+                                             {.lightCount = lights.lights.count,
+                                              .vplCount = lights.vplCount,
+                                              .castShadows = settings.castShadows,
+                                              .showEmission = settings.lighting != Lighting::Global,
+                                              .environmentRadiance = inputs.environmentRadiance},
+                                             depth, triangleCount, settings.width, settings.height);
+    return {forward.radiance, forward.depth, lights.list()};
+}
+
+}  // namespace manylight

@@ -1,0 +1,24 @@
+// What a technique is given to declare one frame.
+#pragma once
+
+#include "engine/passes/gpu_scene.h"
+#include "engine/techniques/settings.h"
+
+namespace manylight {
+
+struct FrameInputs {
+    const RenderSettings& settings;  // resolved: sizes, counts and bounces are final
+    const ScenePlan& plan;
+    const GpuScene& gpuScene;
+    uint32_t subgroupSize = 32;
+    glm::vec3 environmentRadiance{0.0f};
+};
+
+/// What a technique leaves: linear radiance, and the depth it saw.
+struct TechniqueResult {
+    ImageHandle radiance;
+    ImageHandle depth;
+    std::optional<BufferHandle> vpls;
+};
+
+}  // namespace manylight

@@ -1,0 +1,44 @@
+#include "engine/techniques/lights_of_frame.h"
+
+#include "engine/passes/vpl_emission.h"
+#include "shaders/shared/lights.h"
+
+namespace manylight {
+namespace {
+
+/// A list of dark VPLs, for shaders that want one bound.
+BufferHandle addDarkVpls(FrameGraph& graph) {
+    BufferHandle vpls = graph.createBuffer("VPLs", {paddedVplCount(1) * sizeof(shared::LightData)});
+    PassBuilder pass = graph.addPass("dark_vpls");
+    vpls = pass.write(vpls, Access::TransferWrite);
+    pass.execute([vpls](PassContext& context) { context.fill(vpls, 0); });
+    return vpls;
+}
+
+}  // namespace
+
+LightsOfFrame addLightsOfFrame(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs) {
+    const RenderSettings& settings = inputs.settings;
+    const EmitterTable& table = inputs.gpuScene.emitterTable;
+    const bool local = settings.lighting != Lighting::Global;
+    const bool samplesAreas = local && inputs.plan.areaLights && table.areaLightCount > 0;
+    const bool global = settings.lighting != Lighting::Local && inputs.plan.lightPaths && settings.vplCount > 0 &&
+                        settings.bounceCount.value_or(0) > 0;
+
+    LightsOfFrame result;
+    result.lights = addLightSamples(graph, scene, local ? table.deltaLightCount : 0,
+                                    samplesAreas ? settings.lightSampleCount : 0);
+    if (global) {
+        result.vplCount = settings.vplCount;
+        result.vpls = addVplEmission(graph, scene, inputs.plan,
+                                     {.pathCount = settings.pathCount,
+                                      .vplCount = settings.vplCount,
+                                      .bounceCount = static_cast<uint32_t>(*settings.bounceCount),
+                                      .russianRoulette = settings.russianRoulette});
+    } else {
+        result.vpls = addDarkVpls(graph);
+    }
+    return result;
+}
+
+}  // namespace manylight

@@ -1,0 +1,22 @@
+// The part that deferred and forward share: light paths to VPLs, and the list of real lights.
+#pragma once
+
+#include "engine/passes/light_samples.h"
+#include "engine/techniques/frame_inputs.h"
+
+#include <optional>
+
+namespace manylight {
+
+struct LightsOfFrame {
+    LightList lights;    // count 0 if direct light is not asked for
+    BufferHandle vpls;
+    uint32_t vplCount = 0;  // 0 if indirect light is not asked for, or there are no light paths
+
+    /// The VPL list, if there is more in it than darkness.
+    std::optional<BufferHandle> list() const { return vplCount > 0 ? std::optional(vpls) : std::nullopt; }
+};
+
+LightsOfFrame addLightsOfFrame(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs);
+
+}  // namespace manylight

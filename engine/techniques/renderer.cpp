@@ -1,0 +1,241 @@
+#include "engine/techniques/renderer.h"
+
+#include "engine/core/check.h"
+#include "engine/graph/dump.h"
+#include "engine/math/projection.h"
+#include "engine/passes/accumulate.h"
+#include "engine/passes/show_vpls.h"
+#include "engine/passes/tonemap.h"
+#include "engine/passes/vpl_emission.h"
+#include "engine/techniques/forward_radiosity.h"
+#include "engine/techniques/instant_radiosity.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/sobol.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace manylight {
+namespace {
+
+constexpr float kNearPlane = 1e-5f;  // of scenes whose diagonal is in [1, 2)
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Bvh buildTimed(const Scene& scene, double& seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    Bvh bvh = buildBvh(scene);
+    seconds = secondsSince(start);
+    return bvh;
+}
+
+GpuScene uploadTimed(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh, double& seconds) {
+    const auto start = std::chrono::steady_clock::now();
+    GpuScene gpuScene = uploadScene(device, scene, plan, bvh);
+    seconds = secondsSince(start);
+    return gpuScene;
+}
+
+/// c N^(2/3) / A: the bias of the cut energy falls as fast as the variance it saves grows.
+float geometryBound(const RenderSettings& settings, double surfaceArea, uint32_t frameCount) {
+    if (settings.clamp == ClampMode::Off || surfaceArea <= 0.0) return std::numeric_limits<float>::max();
+    const double paths = static_cast<double>(settings.pathCount) * (frameCount + 1);
+    return static_cast<float>(static_cast<double>(settings.clampBound) * std::pow(paths, 2.0 / 3.0) / surfaceArea);
+}
+
+uint32_t toneCurveOf(ToneCurve curve) {
+    switch (curve) {
+        case ToneCurve::Linear: return shared::kToneLinear;
+        case ToneCurve::Reinhard: return shared::kToneReinhard;
+        case ToneCurve::Aces: break;
+    }
+    return shared::kToneAces;
+}
+
+}  // namespace
+
+Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings)
+    : device_(device), scene_(scene), plan_(planScene(scene, !settings.plan)),
+      gpuScene_(uploadTimed(device, scene, plan_, buildTimed(scene, startupTimes_.bvhBuild), startupTimes_.upload)),
+      pipelines_(device), executor_(device, pipelines_),
+      frameConstants_{gpu::Buffer(device, "frame constants",
+                                  {sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
+                                   gpu::MemoryKind::Upload}),
+                      {}},
+      statusBuffer_(makeStatusBuffer(device)) {
+    resolve(settings);
+    makeTargets();
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::restart(const RenderSettings& settings) {
+    const glm::uvec2 before{settings_.width, settings_.height};
+    resolve(settings);
+    if (before != glm::uvec2{settings_.width, settings_.height}) makeTargets();
+    frameCount_ = 0;
+}
+
+void Renderer::resolve(const RenderSettings& settings) {
+    MANYLIGHT_CHECK(!scene_.cameras.empty(), "scene {}", scene_.path.string());
+    settings_ = settings;
+    if (settings.camera >= scene_.cameras.size())
+        failUsage("--camera {}: the scene has {} camera(s), counted from 0", settings.camera, scene_.cameras.size());
+    if (settings.width == 0 || settings.height == 0) {
+        const glm::uvec2 size = scene_.cameras[settings.camera].resolution.value_or(glm::uvec2{512, 384});
+        settings_.width = size.x;
+        settings_.height = size.y;
+    }
+    const uint32_t limit = device_.limits().maxImageDimension2D;
+    if (settings_.width > limit || settings_.height > limit)
+        fail("--size {}x{}: device {} allows at most {}x{}", settings_.width, settings_.height, device_.info().name,
+             limit, limit);
+    if (settings.pathCount == 0) settings_.pathCount = settings.vplCount;
+    const int depth = settings.bounceCount ? *settings.bounceCount
+                      : scene_.maxDepth.value_or(-1) < 0 ? -1
+                                                         : std::max(0, *scene_.maxDepth - 2);
+    settings_.bounceCount = depth < 0 ? static_cast<int>(kMaxBounces) : depth;
+}
+
+void Renderer::makeTargets() {
+    constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    const uint32_t width = settings_.width;
+    const uint32_t height = settings_.height;
+    radianceSum_ = {};
+    display_ = {};
+    radianceSum_.texture =
+        gpu::Texture(device_, "radiance sum", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height, kUsage});
+    display_.texture = gpu::Texture(device_, "display", {VK_FORMAT_R8G8B8A8_UNORM, width, height, kUsage});
+}
+
+void Renderer::writeFrameConstants() {
+    const Camera& camera = scene_.cameras[settings_.camera];
+    const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
+    const ViewAxes view = viewAxes(camera.origin, camera.forward, camera.up, camera.verticalFov, aspect);
+    const glm::vec2 offset = settings_.jitter ? shared::owenScrambledSobol2d(frameCount_, settings_.seed)
+                                              : glm::vec2(0.5f);
+    const glm::vec2 size{settings_.width, settings_.height};
+    const EmitterTable& table = gpuScene_.emitterTable;
+    const bool local = settings_.lighting != Lighting::Global;
+
+    shared::FrameConstants frame{};
+    frame.clipFromWorld = clipFromWorld(view, kNearPlane, 2.0f * (glm::vec2(0.5f) - offset) / size);
+    frame.cameraPosition = view.origin;
+    frame.seed = settings_.seed;
+    frame.cameraRight = view.right;
+    frame.frame = frameCount_;
+    frame.cameraDown = view.down;
+    frame.emitterCount = static_cast<uint32_t>(table.emitters.size());
+    frame.cameraForward = view.forward;
+    frame.deltaLightCount = local ? table.deltaLightCount : 0;
+    frame.imageSize = {settings_.width, settings_.height};
+    frame.pixelOffset = offset;
+    frame.sceneCenter = gpuScene_.sphere.center;
+    frame.sceneRadius = gpuScene_.sphere.radius;
+    frame.environmentRadiance = table.environmentRadiance;
+    frame.geometryBound = geometryBound(settings_, gpuScene_.surfaceArea, frameCount_);
+    frame.pathCount = settings_.pathCount;
+    frame.vplCount = settings_.vplCount;
+    frame.lightSampleCount = local && plan_.areaLights && table.areaLightCount > 0 ? settings_.lightSampleCount : 0;
+    frame.triangleCount = gpuScene_.triangleCount;
+    std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
+}
+
+FrameGraph Renderer::declareFrame() {
+    const uint32_t width = settings_.width;
+    const uint32_t height = settings_.height;
+    FrameGraph graph;
+    SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
+    addStatusReset(graph, scene);
+
+    const FrameInputs inputs{settings_, plan_, gpuScene_, device_.subgroupSize(),
+                             gpuScene_.emitterTable.environmentRadiance};
+    const bool showsChannel = settings_.show != Show::Picture && settings_.show != Show::Vpls;
+    TechniqueResult result = settings_.technique == Technique::Deferred || showsChannel
+                                 ? declareInstantRadiosity(graph, scene, inputs)
+                                 : declareForwardRadiosity(graph, scene, inputs);
+    if (settings_.show == Show::Vpls && result.vpls)
+        result.radiance = addShowVpls(graph, scene, *result.vpls, settings_.vplCount, result.radiance, result.depth,
+                                      settings_.vplDotRadius, 1.0f);
+    if (keepsVpls_ && result.vpls) {
+        const VkDeviceSize bytes = paddedVplCount(settings_.vplCount) * sizeof(shared::LightData);
+        if (vplCopy_.buffer.size() != bytes)
+            vplCopy_ = {gpu::Buffer(device_, "VPL copy",
+                                    {bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Readback}),
+                        {}};
+        PassBuilder pass = graph.addPass("vpl_copy");
+        pass.read(*result.vpls, Access::TransferRead);
+        const BufferHandle copy =
+            pass.write(importPhysical(graph, "VPL copy", vplCopy_), Access::TransferWrite);
+        pass.execute([from = *result.vpls, copy, bytes](PassContext& context) { context.copy(from, 0, bytes, copy); });
+        graph.addPass("vpl_readback").read(copy, Access::HostRead).keep("the host reads the VPLs");
+    }
+
+    const bool isFirst = frameCount_ == 0;
+    const ImageHandle sum = addAccumulate(graph, scene, result.radiance,
+                                          importPhysical(graph, "radiance sum", radianceSum_), isFirst, width, height);
+    const float scale = std::exp2(settings_.exposure) / static_cast<float>(frameCount_ + 1);
+    const ToneCurve curve = showsChannel ? ToneCurve::Linear : settings_.toneCurve;
+    const ImageHandle display = addTonemap(graph, scene, sum, importPhysical(graph, "display", display_), scale,
+                                           toneCurveOf(curve), width, height);
+    graph.keep(sum);
+    graph.keep(display);
+    addStatusReadback(graph, scene);
+    return graph;
+}
+
+Execution Renderer::renderFrame() {
+    writeFrameConstants();
+    const FrameGraph graph = declareFrame();
+    Execution execution = executor_.execute(graph);
+    status_ = readStatus(statusBuffer_);
+    if (status_.loopBudgetExceeded != 0)
+        fail("device {} ended a ray before its time (its loop limit was met): the picture would be wrong. "
+             "Fewer bounces, or a scene with a shallower BVH, may help", device_.info().name);
+    warnings_.add("light paths cut off at the depth limit", {}, status_.pathsTruncated);
+    warnings_.add("light-path vertices whose shading-normal correction met its bound", {},
+                  status_.shadingNormalsCapped);
+    ++frameCount_;
+    return execution;
+}
+
+Image Renderer::radiance() {
+    MANYLIGHT_CHECK(frameCount_ > 0u, "radiance()");
+    const std::vector<std::byte> bytes = readPhysical(device_, radianceSum_);
+    Image image(settings_.width, settings_.height, 3);
+    const float scale = 1.0f / static_cast<float>(frameCount_);
+    for (size_t pixel = 0; pixel < size_t{image.width} * image.height; ++pixel) {
+        float rgba[4];
+        std::memcpy(rgba, bytes.data() + pixel * sizeof(rgba), sizeof(rgba));
+        for (size_t c = 0; c < 3; ++c) image.texels[pixel * 3 + c] = rgba[c] * scale;
+    }
+    return image;
+}
+
+std::vector<uint8_t> Renderer::displayRgba() {
+    MANYLIGHT_CHECK(frameCount_ > 0u, "displayRgba()");
+    const std::vector<std::byte> bytes = readPhysical(device_, display_);
+    std::vector<uint8_t> rgba(bytes.size());
+    std::memcpy(rgba.data(), bytes.data(), bytes.size());
+    return rgba;
+}
+
+std::vector<shared::LightData> Renderer::vpls() const {
+    MANYLIGHT_CHECK(vplCopy_.buffer.exists(), "vpls() before keepVpls() and a frame");
+    std::vector<shared::LightData> list(settings_.vplCount);
+    std::memcpy(list.data(), vplCopy_.buffer.mapped(), list.size() * sizeof(shared::LightData));
+    return list;
+}
+
+Renderer::GraphDump Renderer::dumpGraph() {
+    writeFrameConstants();
+    const FrameGraph graph = declareFrame();
+    const CompiledGraph compiled = graph.compile([](const PhysicalSlot&) { return ResourceState{}; });
+    return {toDot(graph, compiled), toJson(graph, compiled), toText(graph, compiled)};
+}
+
+}  // namespace manylight

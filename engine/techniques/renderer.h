@@ -1,0 +1,85 @@
+// The one way from a scene to pictures: every program goes through here.
+#pragma once
+
+#include "engine/graph/execute.h"
+#include "engine/image/image.h"
+#include "engine/passes/frame_status.h"
+#include "engine/techniques/settings.h"
+
+#include <memory>
+#include <string>
+
+namespace manylight {
+
+/// Seconds of the one-off work, for the run report.
+struct StartupTimes {
+    double bvhBuild = 0.0;
+    double upload = 0.0;
+};
+
+class Renderer {
+  public:
+    /// Plans, builds the BVH and uploads. `settings` are resolved against the scene: see settings(). Throws Error.
+    Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings);
+    ~Renderer();
+
+    /// Renders one more frame, with new light paths and a new sample of every pixel, and adds it to the sum.
+    /// Throws Error if the driver cut a ray off (the picture would be wrong).
+    Execution renderFrame();
+
+    /// Forgets the frames so far. The size must stay; everything else may change. Resolves as the constructor does.
+    void restart(const RenderSettings& settings);
+
+    /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
+    Image radiance();
+    /// The picture as displayed: exposure, tone curve; RGB bytes as sRGB-encoded values / 255, row 0 at the top.
+    std::vector<uint8_t> displayRgba();
+    /// From the next frame on, keeps a copy of the VPL list that vpls() reads.
+    void keepVpls() { keepsVpls_ = true; }
+    /// The VPLs of the last frame, without the padding.
+    std::vector<shared::LightData> vpls() const;
+
+    const RenderSettings& settings() const { return settings_; }
+    const ScenePlan& plan() const { return plan_; }
+    const GpuScene& gpuScene() const { return gpuScene_; }
+    const Warnings& warnings() const { return warnings_; }
+    uint32_t frameCount() const { return frameCount_; }
+    const shared::FrameStatus& status() const { return status_; }
+    const StartupTimes& startupTimes() const { return startupTimes_; }
+    GraphExecutor& executor() { return executor_; }
+    gpu::PipelineLibrary& pipelines() { return pipelines_; }
+
+    /// The next frame's graph as Graphviz text, as JSON and as plain text.
+    struct GraphDump {
+        std::string dot;
+        Json json;
+        std::string text;
+    };
+    GraphDump dumpGraph();
+
+  private:
+    void resolve(const RenderSettings& settings);
+    void makeTargets();
+    void writeFrameConstants();
+    FrameGraph declareFrame();
+
+    gpu::Device& device_;
+    const Scene& scene_;
+    RenderSettings settings_;
+    ScenePlan plan_;
+    StartupTimes startupTimes_;
+    GpuScene gpuScene_;
+    gpu::PipelineLibrary pipelines_;
+    GraphExecutor executor_;
+    PhysicalBuffer frameConstants_;
+    PhysicalBuffer statusBuffer_;
+    PhysicalBuffer vplCopy_;
+    PhysicalImage radianceSum_;
+    PhysicalImage display_;
+    shared::FrameStatus status_{};
+    Warnings warnings_;
+    uint32_t frameCount_ = 0;
+    bool keepsVpls_ = false;
+};
+
+}  // namespace manylight

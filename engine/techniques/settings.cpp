@@ -1,0 +1,187 @@
+#include "engine/techniques/settings.h"
+
+#include "engine/core/error.h"
+
+#include <fmt/ranges.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace manylight {
+namespace {
+
+template <typename Enum>
+struct Name {
+    Enum value;
+    const char* text;
+};
+
+constexpr std::array kTechniques = {Name<Technique>{Technique::Deferred, "deferred"},
+                                    Name<Technique>{Technique::Forward, "forward"},
+                                    Name<Technique>{Technique::ForwardPrepass, "forward-prepass"}};
+constexpr std::array kLightings = {Name<Lighting>{Lighting::Local, "local"}, Name<Lighting>{Lighting::Global, "global"},
+                                   Name<Lighting>{Lighting::Both, "both"}};
+constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<ClampMode>{ClampMode::Bound, "bound"}};
+constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},
+                               Name<Show>{Show::Normal, "normal"},     Name<Show>{Show::Albedo, "albedo"},
+                               Name<Show>{Show::Depth, "depth"},       Name<Show>{Show::Position, "position"},
+                               Name<Show>{Show::Material, "material"}};
+constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
+                                Name<ToneCurve>{ToneCurve::Reinhard, "reinhard"},
+                                Name<ToneCurve>{ToneCurve::Aces, "aces"}};
+
+template <typename Enum, size_t N>
+const char* nameIn(const std::array<Name<Enum>, N>& names, Enum value) {
+    for (const auto& entry : names)
+        if (entry.value == value) return entry.text;
+    return "?";
+}
+
+template <typename Enum, size_t N>
+Enum parseName(const std::array<Name<Enum>, N>& names, const std::string& option, const std::string& text) {
+    std::vector<const char*> expected;
+    for (const auto& entry : names) {
+        if (text == entry.text) return entry.value;
+        expected.push_back(entry.text);
+    }
+    failUsage("--{} {}: expected one of {}", option, text, fmt::join(expected, ", "));
+}
+
+bool parseSwitch(const std::string& option, const std::string& text) {
+    if (text == "on" || text == "true") return true;
+    if (text == "off" || text == "false") return false;
+    failUsage("--{} {}: expected on or off", option, text);
+}
+
+template <typename Integer>
+Integer parseInteger(const std::string& option, const std::string& text, int64_t low, int64_t high) {
+    int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < low || value > high)
+        failUsage("--{} {}: expected a whole number from {} to {}", option, text, low, high);
+    return static_cast<Integer>(value);
+}
+
+float parseNumber(const std::string& option, const std::string& text, float low, float high) {
+    float value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !(value >= low && value <= high))
+        failUsage("--{} {}: expected a number from {} to {}", option, text, low, high);
+    return value;
+}
+
+void parseSize(RenderSettings& settings, const std::string& option, const std::string& text) {
+    const size_t cross = text.find('x');
+    if (cross == std::string::npos) failUsage("--{} {}: expected WIDTHxHEIGHT, like 512x384", option, text);
+    settings.width = parseInteger<uint32_t>(option, text.substr(0, cross), 1, 1 << 20);
+    settings.height = parseInteger<uint32_t>(option, text.substr(cross + 1), 1, 1 << 20);
+}
+
+constexpr uint32_t kMaxVpls = 1u << 21;  // 128 MiB of LightData, a storage buffer's usual limit
+
+struct Setting {
+    SettingHelp help;
+    std::function<void(RenderSettings&, const std::string& option, const std::string& value)> apply;
+};
+
+const std::vector<Setting>& settingTable() {
+    using S = RenderSettings;
+    using T = const std::string&;
+    static const std::vector<Setting> table = {
+        {{"technique", "deferred|forward|forward-prepass", "how pixels are shaded"},
+         [](S& s, T o, T v) { s.technique = parseName(kTechniques, o, v); }},
+        {{"lighting", "local|global|both", "direct light, light from the VPLs, or both"},
+         [](S& s, T o, T v) { s.lighting = parseName(kLightings, o, v); }},
+        {{"vpls", "N", "virtual point lights shaded in every frame"},
+         [](S& s, T o, T v) { s.vplCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); }},
+        {{"paths", "N", "light paths per frame (0: as many as VPLs)"},
+         [](S& s, T o, T v) { s.pathCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); }},
+        {{"bounces", "N", "surfaces a light path may meet (-1: unlimited)"},
+         [](S& s, T o, T v) { s.bounceCount = parseInteger<int>(o, v, -1, kMaxBounces); }},
+        {{"russian-roulette", "on|off", "end light paths by the albedo"},
+         [](S& s, T o, T v) { s.russianRoulette = parseSwitch(o, v); }},
+        {{"shadows", "on|off", "shadow rays, also for VPLs"},
+         [](S& s, T o, T v) { s.castShadows = parseSwitch(o, v); }},
+        {{"clamp", "off|bound", "leave the geometry term as it is, or bound it"},
+         [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); }},
+        {{"clamp-bound", "C", "the bound is C * paths^(2/3) / surface area"},
+         [](S& s, T o, T v) { s.clampBound = parseNumber(o, v, 0.0f, 1e30f); }},
+        {{"light-samples", "N", "points on area lights and the environment per frame"},
+         [](S& s, T o, T v) { s.lightSampleCount = parseInteger<uint32_t>(o, v, 1, 65536); }},
+        {{"size", "WxH", "pixels"}, [](S& s, T o, T v) { parseSize(s, o, v); }},
+        {{"seed", "N", "the same seed gives the same bytes"},
+         [](S& s, T o, T v) { s.seed = parseInteger<uint32_t>(o, v, 0, std::numeric_limits<uint32_t>::max()); }},
+        {{"camera", "N", "which of the scene's cameras"},
+         [](S& s, T o, T v) { s.camera = parseInteger<uint32_t>(o, v, 0, 1 << 20); }},
+        {{"show", "picture|vpls|normal|albedo|depth|position|material", "the picture, the VPLs in it, or a G-buffer channel"},
+         [](S& s, T o, T v) { s.show = parseName(kShows, o, v); }},
+        {{"exposure", "STOPS", "brighter by 2^STOPS in the PNG"},
+         [](S& s, T o, T v) { s.exposure = parseNumber(o, v, -64.0f, 64.0f); }},
+        {{"tone-map", "linear|reinhard|aces", "tone curve of the PNG"},
+         [](S& s, T o, T v) { s.toneCurve = parseName(kCurves, o, v); }},
+        {{"vpl-dots", "PIXELS", "radius of the dots of --show vpls"},
+         [](S& s, T o, T v) { s.vplDotRadius = parseNumber(o, v, 0.5f, 100.0f); }},
+        {{"plan", "on|off", "leave out what the scene does not need"},
+         [](S& s, T o, T v) { s.plan = parseSwitch(o, v); }},
+    };
+    return table;
+}
+
+}  // namespace
+
+const char* name(Technique technique) { return nameIn(kTechniques, technique); }
+const char* name(Lighting lighting) { return nameIn(kLightings, lighting); }
+const char* name(ClampMode clamp) { return nameIn(kClamps, clamp); }
+const char* name(Show show) { return nameIn(kShows, show); }
+const char* name(ToneCurve curve) { return nameIn(kCurves, curve); }
+
+const std::vector<SettingHelp>& settingHelps() {
+    static const std::vector<SettingHelp> helps = [] {
+        std::vector<SettingHelp> list;
+        for (const Setting& setting : settingTable()) list.push_back(setting.help);
+        return list;
+    }();
+    return helps;
+}
+
+void applySetting(RenderSettings& settings, const std::string& option, const std::string& value) {
+    for (const Setting& setting : settingTable())
+        if (option == setting.help.option) return setting.apply(settings, option, value);
+    failUsage("--{}: no such setting", option);
+}
+
+void applySettings(RenderSettings& settings, const Json& json, const std::string& place) {
+    for (const auto& [key, value] : json.items()) {
+        try {
+            applySetting(settings, key, value.is_string() ? value.get<std::string>() : value.dump());
+        } catch (const Error& error) {
+            fail("{}.{}: {}", place, key, std::string(error.what()).substr(2));
+        }
+    }
+}
+
+Json toJson(const RenderSettings& s) {
+    return {{"technique", name(s.technique)},
+            {"lighting", name(s.lighting)},
+            {"size", fmt::format("{}x{}", s.width, s.height)},
+            {"vpls", s.vplCount},
+            {"paths", s.pathCount},
+            {"bounces", s.bounceCount.value_or(-1)},
+            {"russian-roulette", s.russianRoulette},
+            {"shadows", s.castShadows},
+            {"clamp", name(s.clamp)},
+            {"clamp-bound", s.clampBound},
+            {"light-samples", s.lightSampleCount},
+            {"seed", s.seed},
+            {"camera", s.camera},
+            {"show", name(s.show)},
+            {"exposure", s.exposure},
+            {"tone-map", name(s.toneCurve)},
+            {"plan", s.plan}};
+}
+
+}  // namespace manylight

@@ -1,0 +1,82 @@
+// Every choice a user has, in one plain struct: the command line, the sidecar and the programs fill it.
+#pragma once
+
+#include "engine/core/report.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace manylight {
+
+enum class Technique : uint8_t {
+    Deferred,        // G-buffer, then compute passes light every visible point
+    Forward,         // the fragment shader lights every fragment
+    ForwardPrepass,  // the same after a depth pre-pass
+};
+
+enum class Lighting : uint8_t {
+    Local,   // emission and direct light
+    Global,  // light from the VPLs only
+    Both,
+};
+
+enum class ClampMode : uint8_t {
+    Off,    // the geometry term as it is: unbiased, with bright spots near VPLs
+    Bound,  // cut at bound * N^(2/3) / area: loses energy, vanishing as paths accumulate
+};
+
+enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material };
+
+enum class ToneCurve : uint8_t { Linear, Reinhard, Aces };
+
+struct RenderSettings {
+    Technique technique = Technique::Deferred;
+    Lighting lighting = Lighting::Both;
+    ClampMode clamp = ClampMode::Off;
+    Show show = Show::Picture;
+    ToneCurve toneCurve = ToneCurve::Aces;
+    uint32_t width = 0;               // pixels; 0: as the scene's camera says, else 512 x 384
+    uint32_t height = 0;
+    uint32_t vplCount = 800;          // VPLs shaded in every frame; 0: none
+    uint32_t pathCount = 0;           // light paths per frame; 0: as many as VPLs
+    std::optional<int> bounceCount;   // surfaces a light path may meet; empty: the scene's max_depth; -1: unlimited
+    bool russianRoulette = true;
+    bool castShadows = true;
+    float clampBound = 10.0f;         // c of the bound
+    uint32_t lightSampleCount = 32;   // points on area lights and the environment per frame
+    uint32_t seed = 0;
+    uint32_t camera = 0;              // index into the scene's cameras
+    float exposure = 0.0f;            // stops
+    float vplDotRadius = 3.0f;        // --show vpls, pixels
+    bool jitter = false;              // a new place in the pixel for every frame: the 1 x 1 box filter
+    bool plan = true;                 // leave out what the scene does not need
+};
+
+/// Names as the command line spells them, e.g. "forward-prepass". parse...: empty if there is no such name.
+const char* name(Technique technique);
+const char* name(Lighting lighting);
+const char* name(ClampMode clamp);
+const char* name(Show show);
+const char* name(ToneCurve curve);
+/// Sets one setting by its option name without dashes ("vpls", "shadows"), from text. Throws Error (usage) naming the
+/// option, the value and what was expected.
+void applySetting(RenderSettings& settings, const std::string& option, const std::string& value);
+/// Options applySetting() knows, with a help text each.
+struct SettingHelp {
+    const char* option;
+    const char* values;
+    const char* help;
+};
+const std::vector<SettingHelp>& settingHelps();
+
+/// Applies a sidecar's "settings" object: {"vpls": 200, "shadows": false}. `place` prefixes error messages.
+void applySettings(RenderSettings& settings, const Json& json, const std::string& place);
+
+/// All settings, for the run report and the EXR's attributes.
+Json toJson(const RenderSettings& settings);
+
+/// "Unlimited" light paths end here; the share of paths cut off is reported.
+inline constexpr uint32_t kMaxBounces = 64;
+
+}  // namespace manylight

@@ -1,0 +1,31 @@
+// The pinhole camera: rays through pixels, and where such a ray meets a known triangle.
+#ifndef MANYLIGHT_CAMERA_GLSL
+#define MANYLIGHT_CAMERA_GLSL
+#include "shaders/lib/surface.glsl"
+
+// Direction (not unit; length 1 along the axis) of the ray through this frame's sample of a pixel.
+vec3 cameraDirection(ivec2 pixel) {
+    const vec2 ndc = 2.0 * (vec2(pixel) + frame.pixelOffset) / vec2(frame.imageSize) - 1.0;
+    return frame.cameraForward + ndc.x * frame.cameraRight + ndc.y * frame.cameraDown;
+}
+
+// Barycentrics (b1, b2) where the line hits the triangle's plane, moved onto the triangle: the rasteriser has said
+// that the pixel is covered, rounding may say otherwise. An edge-on triangle gives its centroid.
+vec2 barycentricsOfPixel(TriangleRecord t, vec3 origin, vec3 direction) {
+    const vec3 p0 = uintBitsToFloat(t.corner0.xyz);
+    const vec3 e1 = uintBitsToFloat(t.corner1.xyz) - p0;
+    const vec3 e2 = uintBitsToFloat(t.corner2.xyz) - p0;
+    const vec3 p = cross(direction, e2);
+    const float det = dot(e1, p);
+    const vec3 s = origin - p0;
+    vec2 b = det == 0.0 ? vec2(1.0 / 3.0) : vec2(dot(s, p), dot(direction, cross(s, e1))) / det;
+    b = clamp(b, 0.0, 1.0);
+    return b / max(1.0, b.x + b.y);
+}
+
+Surface surfaceOfPixel(uint triangle, ivec2 pixel) {
+    const vec3 direction = cameraDirection(pixel);
+    return surfaceAt(triangle, barycentricsOfPixel(loadTriangle(triangle), frame.cameraPosition, direction), -direction);
+}
+
+#endif

@@ -1,0 +1,33 @@
+// The VPL list for compute shaders: each lane of a subgroup loads one VPL and hands it round by shuffles.
+#ifndef MANYLIGHT_VPL_LIST_GLSL
+#define MANYLIGHT_VPL_LIST_GLSL
+#extension GL_KHR_shader_subgroup_shuffle : require
+#include "shaders/shared/lights.h"
+
+layout(constant_id = 3) const uint kVplBlock = 8u;  // the subgroup's size
+
+layout(set = 0, binding = kBindingVpls, scalar) readonly buffer VplBlock { LightData vpls[]; };
+
+vec4 heldPosition;   // and intensity
+vec3 heldDirection;
+vec3 heldColour;
+
+void loadVplBlock(uint base) {
+    const uint mine = base + gl_SubgroupInvocationID;
+    heldPosition = vec4(vpls[mine].position, vpls[mine].intensity);
+    heldDirection = vpls[mine].direction;
+    heldColour = vpls[mine].colour;
+}
+
+LightData vplOfBlock(uint i) {
+    LightData vpl;
+    const vec4 position = subgroupShuffle(heldPosition, i);
+    vpl.position = position.xyz;
+    vpl.intensity = position.w;
+    vpl.direction = subgroupShuffle(heldDirection, i);
+    vpl.colour = subgroupShuffle(heldColour, i);
+    vpl.kind = kLightSurface;
+    return vpl;
+}
+
+#endif

@@ -1,0 +1,42 @@
+// Instant radiosity's shading (Keller 1997): what one light gives to one surface, and the loop over many.
+#ifndef MANYLIGHT_VPL_SHADING_GLSL
+#define MANYLIGHT_VPL_SHADING_GLSL
+#include "shaders/lib/spot.glsl"
+#include "shaders/shared/lights.h"
+
+// What a receiver needs to know of itself. Visibility rays leave on the geometric normal's side.
+struct Receiver {
+    vec3 position;
+    vec3 normal;
+    vec3 geometricNormal;
+};
+
+// G(x,y) = cos+ cos+ / d^2, from the unnormalised connection: one division and no root. d^2 of coincident points is 0,
+// and so are both cosines: the guard keeps 0/0 out.
+float geometryTerm(vec3 receiverNormal, vec3 emitterNormal, vec3 toEmitter) {
+    const float squaredDistance = dot(toEmitter, toEmitter);
+    const float cosReceiver = max(dot(receiverNormal, toEmitter), 0.0);
+    const float cosEmitter = max(-dot(emitterNormal, toEmitter), 0.0);
+    return (cosReceiver / max(squaredDistance, 1e-30)) * (cosEmitter / max(squaredDistance, 1e-30));
+}
+
+// Irradiance at the receiver from a VPL, without visibility: intensity * min(G, bound).
+vec3 irradianceOfVpl(Receiver receiver, LightData vpl, float bound) {
+    const float g = geometryTerm(receiver.normal, vpl.direction, vpl.position - receiver.position);
+    return (vpl.intensity * min(g, bound)) * vpl.colour;
+}
+
+// Irradiance at the receiver from any light, without visibility. The bound is for VPLs only: here nothing is cut.
+vec3 irradianceOfLight(Receiver receiver, LightData light) {
+    const vec3 spectrum = light.intensity * light.colour;
+    if (light.kind == kLightDirectional) return spectrum * max(-dot(receiver.normal, light.direction), 0.0);
+    const vec3 toLight = light.position - receiver.position;
+    if (light.kind == kLightSurface) return spectrum * geometryTerm(receiver.normal, light.direction, toLight);
+    const float squaredDistance = max(dot(toLight, toLight), 1e-30);
+    const vec3 direction = toLight * inversesqrt(squaredDistance);
+    const float emission =
+        light.kind == kLightSpot ? spotFalloff(-dot(direction, light.direction), light.cosBeam, light.cosCutoff) : 1.0;
+    return spectrum * (emission * max(dot(receiver.normal, direction), 0.0) / squaredDistance);
+}
+
+#endif

@@ -1,0 +1,102 @@
+// Light paths go from surface to surface: meet one, leave a vertex there, go on by Russian roulette.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/prelude.glsl"
+#include "shaders/lib/surface.glsl"
+#include "shaders/lib/random.glsl"
+#include "shaders/lib/ray.glsl"
+#include "shaders/shared/lights.h"
+#include "shaders/shared/vpl_emission.h"
+#include "shaders/shared/warps.h"
+
+layout(local_size_x = kEmissionGroupSize) in;
+layout(set = 0, binding = kBindingRays, scalar) buffer RayBlock { Ray rays[]; };
+layout(set = 0, binding = kBindingPathOffsets, scalar) buffer PathBlock { uint pathVertexCount[]; };
+layout(set = 0, binding = kBindingPathVertices, scalar) writeonly buffer VertexBlock { LightData pathVertices[]; };
+layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
+layout(push_constant, scalar) uniform Push { EmissionPush push; };
+
+const uint kDimensionsBeforeBounces = 4u;
+const uint kDimensionsPerBounce = 2u;
+const float kFar = 8.0;  // no scene is larger than 2
+
+float maxChannel(vec3 v) { return max(v.x, max(v.y, v.z)); }
+
+// Light transport is not symmetric in shading normals (Veach 1997, sec. 5.3). A particle that meets a Lambertian
+// surface is weighted by |wi.Ns| / |wi.Ng| and then sees the geometric normal only.
+float shadingNormalCorrection(Surface surface, vec3 wi) {
+    if (!kShadingNormals) return 1.0;
+    const float ratio = dot(surface.normal, wi) / max(dot(surface.geometricNormal, wi), 1e-6);
+    if (dot(surface.normal, surface.geometricNormal) <= 0.0) return 0.0;
+    if (ratio > kMaxShadingNormalCorrection) atomicAdd(status.shadingNormalsCapped, 1u);
+    return clamp(ratio, 0.0, kMaxShadingNormalCorrection);
+}
+
+// Radiant intensity along the normal of a Lambertian vertex that reflects `flux`: flux * albedo / pi, over all paths.
+LightData vertexOfPath(Surface surface, vec3 flux, uint path, uint depth) {
+    const vec3 spectrum = flux * surface.albedo * (kInvPi / float(frame.pathCount));
+    LightData vertex;
+    vertex.position = surface.position;
+    vertex.direction = surface.geometricNormal;
+    vertex.intensity = maxChannel(spectrum);
+    vertex.colour = vertex.intensity > 0.0 ? spectrum / vertex.intensity : vec3(0.0);
+    vertex.kind = kLightSurface;
+    vertex.cosCutoff = 0.0;
+    vertex.cosBeam = 1.0;
+    vertex.depth = depth;
+    vertex.pathIndex = path;
+    vertex.unused = 0u;
+    return vertex;
+}
+
+// q = the largest albedo: a ratio, so that brighter lights change no path. Where all channels are equal the weight
+// stays exactly what it was.
+Ray continuePath(Ray ray, Surface surface, uint index) {
+    const uint dimension = kDimensionsBeforeBounces + ray.depth * kDimensionsPerBounce;
+    const float survival = push.russianRoulette != 0u ? min(maxChannel(surface.albedo), 1.0) : 1.0;
+    const float u = sample2d(index, frame.seed, dimension).x;
+    const vec2 uDirection = sample2d(index, frame.seed, dimension + 1u);
+    ray.intensity *= surface.albedo / max(survival, 1e-6);
+    ray.isAlive = u < survival && maxChannel(ray.intensity) > 0.0 ? 1u : 0u;
+    ray.direction = normalize(toWorld(squareToCosineHemisphere(uDirection), surface.geometricNormal));
+    ray.origin = surface.position;
+    ray.normal = surface.geometricNormal;
+    ray.depth += 1u;
+    return ray;
+}
+
+// The next surface on the way. A path that leaves the scene, or whose flux comes to nothing, leaves no vertex.
+Ray bounce(Ray ray, uint slot) {
+    const vec3 origin = ray.normal == vec3(0.0) ? ray.origin : offsetRayOrigin(ray.origin, ray.normal, ray.direction);
+    const Hit hit = closestHit(origin, ray.direction, kFar);
+    if (hit.triangle == kNoHit) {
+        ray.isAlive = 0u;
+        return ray;
+    }
+    const Surface surface = surfaceAt(hit.triangle, hit.barycentrics, -ray.direction);
+    const uint path = push.firstPath + slot;
+    ray.intensity *= shadingNormalCorrection(surface, -ray.direction);
+    const LightData vertex = vertexOfPath(surface, ray.intensity, path, ray.depth + 1u);
+    if (vertex.intensity > 0.0) {
+        pathVertices[ray.depth * push.pathCount + slot] = vertex;
+        pathVertexCount[slot] = ray.depth + 1u;
+        atomicAdd(status.vplsTraced, 1u);
+    }
+    return continuePath(ray, surface, frame.frame * frame.pathCount + path);
+}
+
+void main() {
+    const uint slot = gl_GlobalInvocationID.x;
+    if (slot >= push.pathCount) return;
+    Ray ray = rays[slot];
+    for (uint i = 0u; i < kBouncesPerDispatch; ++i) {
+        if (ray.isAlive == 0u || ray.depth >= push.maxDepth) break;
+        ray = bounce(ray, slot);
+    }
+    if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
+    if (ray.isAlive != 0u && ray.depth == push.maxDepth) {
+        atomicAdd(status.pathsTruncated, 1u);
+        ray.isAlive = 0u;
+    }
+    rays[slot] = ray;
+}

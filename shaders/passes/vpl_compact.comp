@@ -1,0 +1,52 @@
+// The VPL list of exactly `vplCount` entries: all vertices of the light paths if they fit, else a systematic sample of
+// them. With M vertices, entry i takes vertex floor((i M + r) / V), r uniform in [0, M): each vertex is taken with
+// probability V / M and weighs M / V, so the list's expectation is that of all vertices.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/prelude.glsl"
+#include "shaders/lib/random.glsl"
+#include "shaders/shared/lights.h"
+#include "shaders/shared/vpl_emission.h"
+
+layout(local_size_x = kEmissionGroupSize) in;
+layout(set = 0, binding = kBindingPathOffsets, scalar) readonly buffer PathBlock { uint pathOffsets[]; };
+layout(set = 0, binding = kBindingPathVertices, scalar) readonly buffer VertexBlock { LightData pathVertices[]; };
+layout(set = 0, binding = kBindingVpls, scalar) writeonly buffer VplBlock { LightData vpls[]; };
+layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
+layout(push_constant, scalar) uniform Push { EmissionPush push; };
+
+// The path that holds vertex number `vertex`: the last one whose offset is not beyond it.
+uint pathOfVertex(uint vertex) {
+    uint low = 0u;
+    uint high = push.pathCount - 1u;
+    while (low < high) {
+        const uint middle = (low + high + 1u) / 2u;
+        if (pathOffsets[middle] <= vertex) low = middle;
+        else high = middle - 1u;
+    }
+    return low;
+}
+
+LightData darkVpl() {
+    return LightData(vec3(0.0), 0.0, vec3(0.0, 0.0, 1.0), kLightSurface, vec3(0.0), 0.0, 1.0, 0u, 0u, 0u);
+}
+
+void main() {
+    const uint i = gl_GlobalInvocationID.x;
+    if (i >= push.paddedVplCount) return;
+    const uint vertexCount = pathOffsets[push.pathCount];
+    const uint taken = min(vertexCount, push.vplCount);
+    LightData vpl = darkVpl();
+    if (i < taken) {
+        uint vertex = i;
+        if (vertexCount > push.vplCount) {
+            const uint start = sampleInteger(hashCombine(hashCombine(frame.seed, frame.frame), push.firstPath), vertexCount);
+            vertex = (i * vertexCount + start) / push.vplCount;
+        }
+        const uint path = pathOfVertex(vertex);
+        vpl = pathVertices[(vertex - pathOffsets[path]) * push.pathCount + path];
+        vpl.intensity *= float(vertexCount) / float(taken);
+    }
+    vpls[push.firstVpl + i] = vpl;
+    if (i == 0u) atomicAdd(status.vplsShaded, taken);
+}

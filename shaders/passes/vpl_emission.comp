@@ -1,0 +1,56 @@
+// Light paths leave the emitters: beta = Le cos / (P_l p_A p_w)   (Keller 1997, sec. 3).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/prelude.glsl"
+#include "shaders/lib/emitters.glsl"
+#include "shaders/shared/vpl_emission.h"
+
+layout(local_size_x = kEmissionGroupSize) in;
+layout(set = 0, binding = kBindingRays, scalar) writeonly buffer RayBlock { Ray rays[]; };
+layout(set = 0, binding = kBindingPathOffsets, scalar) writeonly buffer PathBlock { uint pathVertexCount[]; };
+layout(push_constant, scalar) uniform Push { EmissionPush push; };
+
+const uint kDimensionEmitter = 0u;
+const uint kDimensionPosition = 1u;
+const uint kDimensionDirection = 2u;
+
+Ray emitFrom(Emitter emitter, vec2 uPosition, vec2 uDirection) {
+    Ray ray;
+    ray.isAlive = 1u;
+    ray.depth = 0u;
+    ray.normal = vec3(0.0);
+    const vec3 weight = emitter.emission / emitter.probability;
+    if (emitter.kind == kEmitterTriangle) {
+        ray.normal = normalOfTriangle(emitter);
+        ray.origin = pointOnTriangle(emitter, uPosition);
+        ray.direction = normalize(toWorld(squareToCosineHemisphere(uDirection), ray.normal));
+        ray.intensity = weight * (kPi * emitter.area);  // cos cancels: p_A = 1/A, p_w = cos/pi
+    } else if (emitter.kind == kEmitterPoint || emitter.kind == kEmitterSpot) {
+        const float cosCone = emitter.kind == kEmitterSpot ? emitter.cosCutoff : -1.0;
+        const vec3 axis = emitter.kind == kEmitterSpot ? emitter.edge1 : vec3(0.0, 0.0, 1.0);
+        const vec3 local = squareToCone(uDirection, cosCone);
+        const float falloff = emitter.kind == kEmitterSpot ? spotFalloff(local.z, emitter.cosBeam, emitter.cosCutoff) : 1.0;
+        ray.origin = emitter.position;
+        ray.direction = normalize(toWorld(local, axis));
+        ray.intensity = weight * (falloff * 2.0 * kPi * (1.0 - cosCone));
+    } else {
+        const bool isConstant = emitter.kind == kEmitterConstant;
+        ray.direction = isConstant ? squareToCone(uDirection, -1.0) : emitter.edge1;
+        ray.origin = pointOnSceneDisk(ray.direction, uPosition);
+        const float solidAngle = isConstant ? 4.0 * kPi : 1.0;
+        ray.intensity = weight * (solidAngle * kPi * frame.sceneRadius * frame.sceneRadius);
+    }
+    return ray;
+}
+
+void main() {
+    const uint slot = gl_GlobalInvocationID.x;
+    if (slot >= push.pathCount) return;
+    const uint path = push.firstPath + slot;
+    const uint index = frame.frame * frame.pathCount + path;  // frames continue the sequence
+    const float uEmitter = sample2d(index, frame.seed, kDimensionEmitter).x;
+    const Emitter emitter = emitters[chooseEmitter(uEmitter, false)];
+    rays[slot] = emitFrom(emitter, sample2d(index, frame.seed, kDimensionPosition),
+                          sample2d(index, frame.seed, kDimensionDirection));
+    pathVertexCount[slot] = 0u;
+}

@@ -1,0 +1,32 @@
+// The gather with a shadow ray for every pixel and VPL that could see each other.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/prelude.glsl"
+#include "shaders/lib/gbuffer_read.glsl"
+#include "shaders/lib/vpl_list_shuffle.glsl"
+#include "shaders/shared/vpl_light.h"
+
+const uint kReceivers = 1u;
+#include "shaders/lib/shade_lights.glsl"
+
+layout(constant_id = 4) const bool kAddToRadiance = false;
+
+layout(local_size_x = kVplGroupWidth, local_size_y = kVplGroupHeight) in;
+layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
+layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
+layout(push_constant, scalar) uniform Push { ShadePush push; };
+
+void main() {
+    // No early return: every lane holds a VPL for the others.
+    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    const GBufferPixel seen = readGBuffer(pixel, true);
+    Receiver receivers[kReceivers] = {seen.receiver};
+    vec3 irradiance[kReceivers] = {vec3(0.0)};
+    shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, irradiance);
+    if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
+
+    if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
+    vec3 radiance = seen.albedo * kInvPi * irradiance[0];
+    if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;
+    imageStore(radianceImage, pixel, vec4(radiance, 1.0));
+}

@@ -1,0 +1,31 @@
+// Binding numbers, each once. Everything is in descriptor set 0.
+#ifndef MANYLIGHT_SHARED_BINDINGS_H
+#define MANYLIGHT_SHARED_BINDINGS_H
+#include "shaders/shared/language.h"
+
+MANYLIGHT_SHARED_BEGIN
+
+MANYLIGHT_CONSTANT(int, kBindingFrame, 0);              // uniform: FrameConstants
+MANYLIGHT_CONSTANT(int, kBindingBvhNodes, 1);   // storage texel buffer, RGBA32_UINT: two texels per BvhNode
+MANYLIGHT_CONSTANT(int, kBindingTriangles, 2);  // storage texel buffer, RGBA32_UINT: three texels per triangle
+MANYLIGHT_CONSTANT(int, kBindingTriangleMaterials, 3);  // storage: uint per triangle
+MANYLIGHT_CONSTANT(int, kBindingTriangleUvs, 4);        // storage: three vec2 per triangle
+MANYLIGHT_CONSTANT(int, kBindingMaterials, 5);          // storage: Material
+MANYLIGHT_CONSTANT(int, kBindingTextureInfos, 6);       // storage: TextureInfo
+MANYLIGHT_CONSTANT(int, kBindingTexels, 7);             // storage texel buffer, RGBA8_UNORM
+MANYLIGHT_CONSTANT(int, kBindingEmitters, 8);           // storage: Emitter
+MANYLIGHT_CONSTANT(int, kBindingRays, 9);               // storage: Ray per path of the batch
+MANYLIGHT_CONSTANT(int, kBindingPathOffsets, 10);       // storage: vertices per path, then their prefix sum
+MANYLIGHT_CONSTANT(int, kBindingPathVertices, 11);      // storage: LightData, slot = (depth - 1) * paths + path
+MANYLIGHT_CONSTANT(int, kBindingVpls, 12);              // storage or uniform: LightData
+MANYLIGHT_CONSTANT(int, kBindingLights, 13);            // storage: LightData of real lights and samples of area lights
+MANYLIGHT_CONSTANT(int, kBindingStatus, 14);            // storage: FrameStatus
+MANYLIGHT_CONSTANT(int, kBindingVisibility, 15);        // image R32_UINT: triangle + 1, 0 where there is none
+MANYLIGHT_CONSTANT(int, kBindingGBufferPosition, 16);   // image RGBA32_UINT: position, triangle + 1
+MANYLIGHT_CONSTANT(int, kBindingGBufferShading, 17);    // image RGBA32_UINT: normal, albedo
+MANYLIGHT_CONSTANT(int, kBindingRadiance, 18);          // image RGBA32F: radiance of this frame
+MANYLIGHT_CONSTANT(int, kBindingRadianceSum, 19);       // image RGBA32F: sum over frames
+MANYLIGHT_CONSTANT(int, kBindingDisplay, 20);           // image RGBA8: what is shown
+
+MANYLIGHT_SHARED_END
+#endif

@@ -1,0 +1,72 @@
+// Light paths and what they leave behind.
+#ifndef MANYLIGHT_SHARED_LIGHTS_H
+#define MANYLIGHT_SHARED_LIGHTS_H
+#include "shaders/shared/language.h"
+
+MANYLIGHT_SHARED_BEGIN
+
+// A light path on its way: where it starts next, and the flux it carries.
+struct Ray {
+    vec3 origin;     // on the surface, not yet offset
+    uint isAlive;    // 0 once the path left the scene or was absorbed
+    vec3 direction;  // unit
+    uint depth;      // surfaces met so far
+    vec3 intensity;  // flux of the path, W: emitted radiance * cos / pdf, then times albedo / survival probability
+    float unused;
+    vec3 normal;     // geometric normal at the origin; zero where the path starts in free space
+    float unused2;
+};
+
+// How a light's emission varies with direction.
+MANYLIGHT_CONSTANT(uint, kLightSurface, 0u);      // cosine lobe about `direction`: a VPL or a point on an area light
+MANYLIGHT_CONSTANT(uint, kLightPoint, 1u);        // the same everywhere
+MANYLIGHT_CONSTANT(uint, kLightSpot, 2u);         // a cone about `direction`
+MANYLIGHT_CONSTANT(uint, kLightDirectional, 3u);  // parallel light travelling along `direction`
+
+// A light as the shading loops see it: a VPL, a real light, or a sample of an area light.
+struct LightData {
+    vec3 position;
+    float intensity;   // largest channel: W/sr along `direction` (surface), W/sr (point, spot), W/m^2 (directional)
+    vec3 direction;    // unit: normal of a surface, axis of a spot, travel of directional light
+    uint kind;
+    vec3 colour;       // intensity * colour is the spectrum; the largest channel is 1
+    float cosCutoff;   // spot: dark outside
+    float cosBeam;     // spot: full intensity inside
+    uint depth;        // VPL: bounces since the emitter
+    uint pathIndex;    // VPL: which light path left it
+    uint unused;
+};
+
+// One entry of the emitter table, sampled in proportion to power: a light or an emissive triangle.
+MANYLIGHT_CONSTANT(uint, kEmitterPoint, 1u);
+MANYLIGHT_CONSTANT(uint, kEmitterSpot, 2u);
+MANYLIGHT_CONSTANT(uint, kEmitterDirectional, 3u);
+MANYLIGHT_CONSTANT(uint, kEmitterTriangle, 4u);
+MANYLIGHT_CONSTANT(uint, kEmitterConstant, 5u);
+
+struct Emitter {
+    vec3 position;          // of the light, or corner 0 of the triangle
+    uint kind;
+    vec3 edge1;             // triangle: corner 1 - corner 0; spot, directional: unit direction of travel
+    float cumulative;       // probability of this entry or one before it, for light paths
+    vec3 edge2;             // triangle: corner 2 - corner 0
+    float probability;
+    vec3 emission;          // radiance (triangle, constant), W/sr (point, spot), W/m^2 (directional)
+    float areaCumulative;   // the same among triangles and the environment alone, for direct light
+    float areaProbability;
+    float cosCutoff;
+    float cosBeam;
+    float area;             // of the triangle
+};
+
+// Counters that passes raise and the host reads after the frame.
+struct FrameStatus {
+    uint loopBudgetExceeded;    // a ray was cut off by the driver's loop limit: the picture is wrong
+    uint shadingNormalsCapped;  // light-path vertices whose shading-normal correction met its bound
+    uint pathsTruncated;        // light paths alive at the depth limit
+    uint vplsTraced;            // vertices of all light paths
+    uint vplsShaded;            // of these, in the VPL list
+};
+
+MANYLIGHT_SHARED_END
+#endif

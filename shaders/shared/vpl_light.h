@@ -1,0 +1,30 @@
+#ifndef MANYLIGHT_SHARED_VPL_LIGHT_H
+#define MANYLIGHT_SHARED_VPL_LIGHT_H
+#include "shaders/shared/language.h"
+
+MANYLIGHT_SHARED_BEGIN
+
+MANYLIGHT_CONSTANT(uint, kVplGroupWidth, 16u);
+MANYLIGHT_CONSTANT(uint, kVplGroupHeight, 8u);
+MANYLIGHT_CONSTANT(uint, kPixelsPerInvocation, 4u);  // one above the other
+
+// The VPL list is padded with dark entries to a multiple of this, which every subgroup size divides.
+MANYLIGHT_CONSTANT(uint, kVplPadding, 128u);
+
+// lavapipe ends every loop silently after 65,535 iterations of an invocation; a shadow ray takes tens of them.
+MANYLIGHT_CONSTANT(uint, kMaxShadowedVplsPerDispatch, 256u);
+MANYLIGHT_CONSTANT(uint, kMaxVplsPerDispatch, 8192u);
+// A uniform buffer of 64 KiB holds this many.
+MANYLIGHT_CONSTANT(uint, kMaxForwardVplsPerDraw, 1024u);
+
+// One dispatch or draw shades a stretch of the real lights and then a stretch of the VPLs.
+struct ShadePush {
+    uint firstLight;
+    uint lightCount;
+    uint firstVpl;
+    uint vplCount;
+    uint showEmission;  // the camera sees lights and the environment; set for the first stretch only
+};
+
+MANYLIGHT_SHARED_END
+#endif

@@ -1,0 +1,314 @@
+#include "tests/unit/import_test_support.h"
+
+#include <gmock/gmock.h>
+
+namespace manylight::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Three positions, three normals, three uvs and three indices of a triangle in the plane z = 0 that faces +z.
+std::string triangleData() {
+    std::string bytes;
+    append<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+    append<float>(bytes, {0, 0, 1, 0, 0, 1, 0, 0, 1});
+    append<float>(bytes, {0, 0, 1, 0, 0, 1});
+    append<uint16_t>(bytes, {0, 1, 2});
+    return bytes;
+}
+
+Json triangleJson() {
+    return Json::parse(R"({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+            {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
+            {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC2"},
+            {"bufferView": 3, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
+                        {"buffer": 0, "byteOffset": 72, "byteLength": 24}, {"buffer": 0, "byteOffset": 96, "byteLength": 6}],
+        "buffers": [{"byteLength": 102}]})");
+}
+
+class GltfImport : public SceneFiles {
+  protected:
+    GltfImport() : json_(triangleJson()) { json_["buffers"][0]["uri"] = dataUri(triangleData()); }
+
+    Scene importJson() const { return import("a.gltf", json_.dump()); }
+    std::string errorOfJson() const { return errorOf("a.gltf", json_.dump()); }
+    std::string glbBytes() const {
+        Json json = json_;
+        json["buffers"][0].erase("uri");
+        return glb(json.dump(), triangleData());
+    }
+
+    Json json_;
+};
+
+TEST_F(GltfImport, ReadsEmbeddedExternalAndBinary) {
+    const Scene embedded = importJson();
+    json_["buffers"][0]["uri"] = "my%20data.bin";
+    write("my data.bin", triangleData());
+    const Scene external = importJson();
+    const Scene binary = import("a.glb", glbBytes());
+    for (const Scene* scene : {&embedded, &external, &binary}) {
+        ASSERT_EQ(scene->triangles.size(), 1u);
+        EXPECT_TRUE(isNear(filePosition(*scene, 0, 1), {1, 0, 0}));
+        EXPECT_EQ(cornerOf(*scene, 0, 1).normal, glm::vec3(0, 0, 1));
+        EXPECT_EQ(cornerOf(*scene, 0, 2).uv, glm::vec2(0, 1));
+        EXPECT_EQ(scene->materials.size(), 1u);
+        EXPECT_EQ(scene->materials[0].albedo, glm::vec3(1.0f));
+    }
+}
+
+TEST_F(GltfImport, AppliesMatricesAndNestedTransforms) {
+    json_["nodes"] = Json::parse(R"([{"matrix": [0,2,0,0, -2,0,0,0, 0,0,2,0, 10,20,30,1], "children": [1]},
+        {"mesh": 0, "translation": [1, 0, 0], "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "scale": [3, 3, 3]}])");
+    const Scene scene = importJson();
+    EXPECT_TRUE(isNear(filePosition(scene, 0, 0), {10, 22, 30}, 1e-5));
+    EXPECT_TRUE(isNear(filePosition(scene, 0, 1), {4, 22, 30}, 1e-5));
+    EXPECT_TRUE(isNear(filePosition(scene, 0, 2), {10, 16, 30}, 1e-5));
+    EXPECT_TRUE(isNear(cornerOf(scene, 0, 0).normal, {0, 0, 1}));
+}
+
+TEST_F(GltfImport, MirroringKeepsFrontAndNormalTogether) {
+    for (const auto& scale : {Json{-1, 1, 1}, Json{1, 1, -1}, Json{-2, -3, -1}, Json{2, -1, -1}}) {
+        json_["nodes"][0]["scale"] = scale;
+        const Scene scene = importJson();
+        ASSERT_EQ(scene.triangles.size(), 1u);
+        EXPECT_GT(glm::dot(frontOf(scene, 0), glm::dvec3(cornerOf(scene, 0, 0).normal)), 0.0) << scale;
+    }
+}
+
+TEST_F(GltfImport, ScenesAndRoots) {
+    json_["nodes"] =
+        Json::parse(R"([{"mesh": 0}, {"mesh": 0, "translation": [5, 0, 0], "children": [2]}, {"mesh": 0}])");
+    json_["scenes"] = Json::parse(R"([{"nodes": [0]}, {"nodes": [1]}])");
+    json_["scene"] = 1;
+    EXPECT_EQ(importJson().triangles.size(), 2u);
+    EXPECT_EQ(importJson().warnings.count("glTF nodes outside the default scene"), 1u);
+    json_.erase("scene");
+    EXPECT_EQ(importJson().triangles.size(), 1u);
+    json_.erase("scenes");
+    EXPECT_EQ(importJson().triangles.size(), 3u);
+    EXPECT_EQ(importJson().warnings.count("glTF files without a scene: all nodes are shown"), 1u);
+}
+
+TEST_F(GltfImport, StripsFansAndListsWithoutIndices) {
+    std::string bytes;
+    append<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0});
+    json_["buffers"][0] = {{"byteLength", bytes.size()}, {"uri", dataUri(bytes)}};
+    json_["bufferViews"] = Json::parse(R"([{"buffer": 0, "byteLength": 60}])");
+    json_["accessors"] = Json::parse(
+        R"([{"bufferView": 0, "componentType": 5126, "count": 5, "type": "VEC3", "min": [0,0,0], "max": [1,2,0]}])");
+    json_["meshes"][0]["primitives"][0] = Json::parse(R"({"attributes": {"POSITION": 0}, "mode": 5})");
+    const Scene strip = importJson();
+    ASSERT_EQ(strip.triangles.size(), 3u);
+    for (size_t t = 0; t < 3; ++t) EXPECT_GT(frontOf(strip, t).z, 0.0);
+    json_["meshes"][0]["primitives"][0]["mode"] = 6;
+    EXPECT_EQ(importJson().triangles.size(), 3u);
+    EXPECT_NEAR(totalArea(importJson()), 0.5 + 0.5 + 1.0, 1e-6);
+    json_["meshes"][0]["primitives"][0]["mode"] = 4;
+    EXPECT_EQ(importJson().triangles.size(), 1u);
+    EXPECT_EQ(importJson().warnings.count("primitives with an incomplete triangle"), 1u);
+    json_["meshes"][0]["primitives"][0]["mode"] = 1;
+    EXPECT_EQ(importJson().triangles.size(), 0u);
+    EXPECT_EQ(importJson().warnings.count("point and line primitives dropped"), 1u);
+}
+
+TEST_F(GltfImport, InterleavedNormalisedAndSparseAccessors) {
+    std::string bytes;
+    append<float>(bytes, {0, 0, 0});
+    append<uint16_t>(bytes, {0, 65535});
+    append<float>(bytes, {1, 0, 0});
+    append<uint16_t>(bytes, {65535, 0});
+    append<float>(bytes, {0, 1, 0});
+    append<uint16_t>(bytes, {0, 0});
+    append<uint8_t>(bytes, {2, 0, 0, 0});
+    append<float>(bytes, {0, 7, 0});
+    json_["buffers"][0] = {{"byteLength", bytes.size()}, {"uri", dataUri(bytes)}};
+    json_["bufferViews"] = Json::parse(R"([{"buffer": 0, "byteLength": 48, "byteStride": 16},
+        {"buffer": 0, "byteOffset": 48, "byteLength": 4}, {"buffer": 0, "byteOffset": 52, "byteLength": 12}])");
+    json_["accessors"] = Json::parse(R"([
+        {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0,0,0], "max": [1,7,0],
+         "sparse": {"count": 1, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 2}}},
+        {"bufferView": 0, "byteOffset": 12, "componentType": 5123, "normalized": true, "count": 3, "type": "VEC2"}])");
+    json_["meshes"][0]["primitives"][0] = Json::parse(R"({"attributes": {"POSITION": 0, "TEXCOORD_0": 1}})");
+    const Scene scene = importJson();
+    EXPECT_TRUE(isNear(filePosition(scene, 0, 2), {0, 7, 0}));
+    EXPECT_EQ(cornerOf(scene, 0, 0).uv, glm::vec2(0, 1));
+    EXPECT_EQ(cornerOf(scene, 0, 1).uv, glm::vec2(1, 0));
+    json_["accessors"][0]["sparse"]["indices"]["componentType"] = 5125;
+    EXPECT_TRUE(isNear(filePosition(importJson(), 0, 2), {0, 7, 0}));
+    json_["accessors"][0]["sparse"]["indices"]["byteOffset"] = 4;
+    EXPECT_THAT(errorOfJson(), HasSubstr("accessors[0].sparse.indices: 1 elements of 4 bytes from byte 4 do not fit"));
+    json_["accessors"][0]["sparse"]["indices"] = {{"bufferView", 2}, {"byteOffset", 4}, {"componentType", 5125}};
+    EXPECT_THAT(errorOfJson(), HasSubstr("sparse index 1088421888"));  // the bits of 7.0f
+}
+
+TEST_F(GltfImport, IndicesOutOfRangeDropTheirTriangle) {
+    std::string bytes = triangleData();
+    append<uint16_t>(bytes, {0, 1, 3});
+    json_["buffers"][0] = {{"byteLength", bytes.size()}, {"uri", dataUri(bytes)}};
+    json_["bufferViews"][3]["byteLength"] = 12;
+    json_["accessors"][3]["count"] = 6;
+    const Scene scene = importJson();
+    EXPECT_EQ(scene.triangles.size(), 1u);
+    EXPECT_EQ(scene.warnings.count("triangles dropped: vertex index out of range"), 1u);
+}
+
+TEST_F(GltfImport, MaterialsTexturesAndTransforms) {
+    write("red.tga", redGreenTga());
+    json_["materials"] = Json::parse(R"([{"name": "m", "emissiveFactor": [1, 0.5, 0],
+        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8}},
+        "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0, "baseColorTexture": {"index": 0,
+            "extensions": {"KHR_texture_transform": {"offset": [0.5, 0.25], "rotation": 1.5707963267948966, "scale": [2, 4]}}}}}])");
+    json_["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}])");
+    json_["samplers"] = Json::parse(R"([{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}])");
+    json_["images"] = Json::parse(R"([{"uri": "red.tga"}])");
+    json_["meshes"][0]["primitives"][0]["material"] = 0;
+    const Scene scene = importJson();
+    ASSERT_EQ(scene.materials.size(), 1u);
+    EXPECT_EQ(scene.materials[0].albedo, glm::vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(scene.materials[0].emittedRadiance, glm::vec3(8, 4, 0));
+    ASSERT_EQ(scene.textures.size(), 1u);
+    EXPECT_EQ(scene.textures[0].wrapU, TextureWrap::ClampToEdge);
+    EXPECT_EQ(scene.textures[0].wrapV, TextureWrap::MirroredRepeat);
+    EXPECT_EQ(scene.textures[0].filter, TextureFilter::Nearest);
+    // (1, 0) scaled to (2, 0), turned by 90 degrees to (0, -2), moved.
+    EXPECT_NEAR(cornerOf(scene, 0, 1).uv.x, 0.5f, 1e-6f);
+    EXPECT_NEAR(cornerOf(scene, 0, 1).uv.y, -1.75f, 1e-6f);
+    json_["images"][0]["uri"] = "$(missing).png";
+    EXPECT_EQ(importJson().materials[0].albedoTexture, kNoTexture);
+    EXPECT_EQ(importJson().warnings.count("textures left out: image not readable"), 1u);
+}
+
+TEST_F(GltfImport, LightsAndCamerasFollowTheirNodes) {
+    json_["extensions"] = Json::parse(R"({"KHR_lights_punctual": {"lights": [
+        {"type": "point", "intensity": 10, "color": [1, 0.5, 0]},
+        {"type": "spot", "intensity": 2, "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.4}},
+        {"type": "directional", "intensity": 3}]}})");
+    json_["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1}},
+        {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "znear": 0, "zfar": 1}}])");
+    json_["nodes"] = Json::parse(
+        R"([{"mesh": 0}, {"translation": [1, 2, 3], "scale": [9, 9, 9], "extensions": {"KHR_lights_punctual": {"light": 0}}},
+        {"rotation": [-0.7071067811865476, 0, 0, 0.7071067811865476], "extensions": {"KHR_lights_punctual": {"light": 1}}},
+        {"extensions": {"KHR_lights_punctual": {"light": 2}}}, {"translation": [0, 0, 4], "camera": 0}, {"camera": 1}])");
+    json_["scenes"][0]["nodes"] = {0, 1, 2, 3, 4, 5};
+    const Scene scene = importJson();
+    ASSERT_EQ(scene.lights.size(), 3u);
+    const float unit = std::ldexp(1.0f, -2 * scene.frame.exponent);
+    EXPECT_EQ(scene.lights[0].emission, glm::vec3(10, 5, 0) * unit);
+    EXPECT_TRUE(isNear(scene.lights[1].direction, {0, -1, 0}));
+    EXPECT_NEAR(scene.lights[1].cosBeam, std::cos(0.2f), 1e-6f);
+    EXPECT_NEAR(scene.lights[1].cosCutoff, std::cos(0.4f), 1e-6f);
+    EXPECT_EQ(scene.lights[2].emission, glm::vec3(3.0f));
+    EXPECT_TRUE(isNear(scene.lights[2].direction, {0, 0, -1}));
+    ASSERT_EQ(scene.cameras.size(), 1u);
+    EXPECT_FLOAT_EQ(scene.cameras[0].verticalFov, 0.9f);
+    EXPECT_EQ(scene.warnings.count("orthographic cameras dropped"), 1u);
+
+    const std::string lights = R"(, "lights": [{"type": "constant", "radiance": [1, 1, 1]}])";
+    EXPECT_EQ(import("only.json", R"({"scene": "a.gltf")" + lights + "}").lights.size(), 1u);
+    EXPECT_EQ(import("both.json", R"({"scene": "a.gltf", "use_gltf_lights": true)" + lights + "}").lights.size(), 4u);
+    EXPECT_EQ(import("theirs.json", R"({"scene": "a.gltf"})").lights.size(), 3u);
+}
+
+TEST_F(GltfImport, InstancesAreDrawn) {
+    std::string bytes = triangleData() + std::string(2, '\0');
+    append<float>(bytes, {0, 0, 0, 5, 0, 0});
+    json_["buffers"][0] = {{"byteLength", bytes.size()}, {"uri", dataUri(bytes)}};
+    json_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 104}, {"byteLength", 24}});
+    json_["accessors"].push_back({{"bufferView", 4}, {"componentType", 5126}, {"count", 2}, {"type", "VEC3"}});
+    json_["nodes"][0]["extensions"] = Json::parse(R"({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 4}}})");
+    const Scene scene = importJson();
+    ASSERT_EQ(scene.triangles.size(), 2u);
+    EXPECT_TRUE(isNear(filePosition(scene, 1, 0), {5, 0, 0}));
+}
+
+TEST_F(GltfImport, WhatIsNotDrawnIsCounted) {
+    json_["extensionsUsed"] = {"VENDOR_something"};
+    json_["animations"] = Json::parse("[{}, {}]");
+    json_["nodes"][0]["skin"] = 0;
+    json_["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 1;
+    json_["meshes"][0]["primitives"][0]["targets"] = Json::parse(R"([{"POSITION": 0}])");
+    const Warnings warnings = importJson().warnings;
+    EXPECT_EQ(warnings.count("glTF extensions ignored"), 1u);
+    EXPECT_EQ(warnings.count("animations ignored: nodes keep their rest pose"), 2u);
+    EXPECT_EQ(warnings.count("skins ignored: meshes keep their rest pose"), 1u);
+    EXPECT_EQ(warnings.count("vertex colours ignored"), 1u);
+    EXPECT_EQ(warnings.count("morph targets ignored"), 1u);
+}
+
+TEST_F(GltfImport, BrokenReferencesNameFileAndPath) {
+    const std::tuple<const char*, Json, const char*> cases[] = {
+        {"/asset/version", "3.0", "a.gltf: asset.version: expected version 2.x"},
+        {"/extensionsRequired", Json{"KHR_draco_mesh_compression"}, "extensionsRequired[0]: expected"},
+        {"/scene", 4, "scene: expected an index into scenes (there are 1), found 4"},
+        {"/scenes/0/nodes/0", 1, "scenes[0].nodes[0]: expected an integer"},
+        {"/nodes/0/mesh", -1, "nodes[0].mesh: expected an index into meshes"},
+        {"/nodes/0/children", Json{0}, "nodes[0]: reached twice"},
+        {"/nodes/0/matrix", Json{1, 2, 3}, "nodes[0].matrix: expected 16 numbers"},
+        {"/meshes/0/primitives/0/indices", 1, "meshes[0].primitives[0].indices: expected an accessor of unsigned"},
+        {"/meshes/0/primitives/0/indices", 99, "meshes[0].primitives[0].indices: expected an index into accessors"},
+        {"/meshes/0/primitives/0/indices", 4294967299, "meshes[0].primitives[0].indices: expected an index"},
+        {"/meshes/0/primitives/0/attributes/POSITION", 2, "POSITION: expected an accessor of VEC3"},
+        {"/meshes/0/primitives/0/material", 0, "material: expected an index into materials (there are 0)"},
+        {"/accessors/0/count", 4, "accessors[0]: 4 elements of 12 bytes from byte 0 do not fit the 36 bytes"},
+        {"/accessors/0/count", 0, "accessors[0].count: expected an integer in [1"},
+        {"/accessors/0/byteOffset", 4, "accessors[0]: 3 elements"},
+        {"/accessors/0/componentType", 5130, "accessors[0].componentType: expected"},
+        {"/accessors/0/bufferView", "a", "accessors[0].bufferView: expected an index into bufferViews"},
+        {"/accessors/1/count", 2, "expected an accessor with 3 elements"},
+        {"/bufferViews/0/byteStride", 8, "bufferViews[0].byteStride: expected at least the 12 bytes"},
+        {"/bufferViews/0/byteLength", 103, "bufferViews[0].byteLength: expected an integer in [1, 102]"},
+        {"/bufferViews/0/byteOffset", -4, "bufferViews[0].byteOffset: expected an integer"},
+        {"/bufferViews/3/buffer", 1, "bufferViews[3].buffer: expected an index into buffers"},
+        {"/buffers/0/byteLength", 200, "buffers[0]: has 102 bytes, expected byteLength 200"},
+        {"/buffers/0/uri", "gone.bin", "gone.bin"},
+        {"/buffers/0/uri", "http://example.org/a.bin", "no relative path"},
+        {"/meshes", 7, "meshes: expected an array"},
+        {"/meshes/0/primitives", Json::object(), "meshes[0].primitives: expected an array"},
+        {"/materials", Json{{{"emissiveFactor", {1, 2}}}}, "materials[0].emissiveFactor: expected 3 numbers"},
+    };
+    for (const auto& [pointer, value, message] : cases) {
+        json_ = triangleJson();
+        json_["buffers"][0]["uri"] = dataUri(triangleData());
+        json_[Json::json_pointer(pointer)] = value;
+        EXPECT_THAT(errorOfJson(), HasSubstr(message)) << pointer << " = " << value;
+    }
+}
+
+TEST_F(GltfImport, EveryTruncationOfAGlbIsRefused) {
+    const std::string bytes = glbBytes();
+    ASSERT_EQ(import("whole.glb", bytes).triangles.size(), 1u);
+    for (size_t size = 0; size < bytes.size(); ++size)
+        EXPECT_THAT(errorOf("cut.glb", std::string_view(bytes).substr(0, size)), HasSubstr("cut.glb: ")) << size;
+}
+
+TEST_F(GltfImport, EveryTruncationOfAGltfIsRefused) {
+    const std::string text = json_.dump();
+    for (size_t size = 0; size < text.size(); ++size)
+        EXPECT_THAT(errorOf("cut.gltf", std::string_view(text).substr(0, size)), HasSubstr("cut.gltf: not valid JSON"));
+}
+
+TEST_F(GltfImport, DamagedBytesNeverCrash) {
+    const std::string bytes = glbBytes();
+    size_t loaded = 0;
+    for (size_t at = 0; at < bytes.size(); ++at) {
+        std::string damaged = bytes;
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << (at % 8)));
+        try {
+            import("damaged.glb", damaged);
+            ++loaded;
+        } catch (const Error& error) {
+            EXPECT_THAT(error.what(), HasSubstr("damaged.glb"));
+        }
+    }
+    EXPECT_GT(loaded, 0u);
+    EXPECT_LT(loaded, bytes.size());
+}
+
+}  // namespace
+}  // namespace manylight::testing
