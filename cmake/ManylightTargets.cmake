@@ -4,6 +4,12 @@ function(manylight_compile_options target)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
 endfunction()
 
+# The heavy headers that nearly every file meets, parsed once per target.
+function(manylight_precompile target)
+  target_precompile_headers(${target} PRIVATE <nlohmann/json.hpp> <glm/glm.hpp> <fmt/format.h> <fmt/ranges.h>
+    <algorithm> <filesystem> <functional> <map> <memory> <optional> <string> <vector>)
+endfunction()
+
 function(manylight_library name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
@@ -14,6 +20,9 @@ function(manylight_library name)
   target_include_directories(manylight_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/manylight>)
   target_link_libraries(manylight_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  if(NOT name STREQUAL core)
+    manylight_precompile(manylight_${name})
+  endif()
 endfunction()
 
 function(manylight_program name)

@@ -10,9 +10,9 @@
 namespace manylight {
 
 struct BvhOptions {
-    uint32_t maxLeafSize = 4;         // triangles, 1 to shared::kBvhMaxLeafSize
-    float traversalCost = 1.0f;       // of one node, in the unit of the next
-    float intersectionCost = 1.0f;    // of one triangle
+    uint32_t maxLeafSize = 4;       // triangles, 1 to shared::kBvhMaxLeafSize
+    float traversalCost = 1.0f;     // of one node, in the unit of the next
+    float intersectionCost = 1.0f;  // of one triangle
 };
 
 /// What rays traverse. Every triangle of the scene is in exactly one leaf; a leaf is a range of `triangleOrder`.

@@ -60,10 +60,11 @@ void traceClosest(RTCScene scene, RTCRayHit& ray) {
 
 void addTriangles(RTCDevice device, RTCScene target, const Scene& scene) {
     RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), std::max<size_t>(scene.vertices.size(), 1)));
-    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
-        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), scene.triangles.size()));
+    auto* positions =
+        static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                        sizeof(glm::vec3), std::max<size_t>(scene.vertices.size(), 1)));
+    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   3 * sizeof(uint32_t), scene.triangles.size()));
     if (!positions || !indices) fail("Embree: no memory for {} triangles", scene.triangles.size());
     for (const Vertex& vertex : scene.vertices) *positions++ = vertex.position;
     for (const Triangle& triangle : scene.triangles) indices = std::ranges::copy(triangle.vertex, indices).out;
@@ -74,7 +75,8 @@ void addTriangles(RTCDevice device, RTCScene target, const Scene& scene) {
 
 }  // namespace
 
-EmbreeReference::EmbreeReference(const Scene& scene, bool robust) : implementation_(std::make_unique<Implementation>()) {
+EmbreeReference::EmbreeReference(const Scene& scene, bool robust)
+    : implementation_(std::make_unique<Implementation>()) {
     implementation_->device = rtcNewDevice(nullptr);
     if (!implementation_->device) fail("Embree: no device (error {})", static_cast<int>(rtcGetDeviceError(nullptr)));
     implementation_->scene = rtcNewScene(implementation_->device);

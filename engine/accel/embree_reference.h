@@ -14,7 +14,7 @@ namespace manylight {
 
 struct ClosestHit {
     float t = 0.0f;
-    uint32_t triangle = 0;        // index into Scene::triangles
+    uint32_t triangle = 0;         // index into Scene::triangles
     glm::vec2 barycentrics{0.0f};  // weights of the second and third corner
     glm::vec3 normal{0.0f};        // geometric, not normalised, counter-clockwise side
 };
@@ -32,7 +32,8 @@ class EmbreeReference {
     bool occluded(const shared::RayQuery& ray) const;
     std::optional<ClosestHit> closest(const shared::RayQuery& ray) const;
 
-    /// Traces all rays once on `threadCount` threads, each taking one contiguous share, and returns millions per second.
+    /// Traces all rays once on `threadCount` threads, each taking one contiguous share, and returns millions per
+    /// second.
     double millionRaysPerSecond(std::span<const shared::RayQuery> rays, RayKind kind, uint32_t threadCount = 2) const;
 
   private:

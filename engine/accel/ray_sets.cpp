@@ -100,7 +100,8 @@ std::vector<SurfacePoint> randomSurfacePoints(const Scene& scene, uint32_t count
         const glm::vec3 c = scene.vertices[corner[2]].position;
         const float root = std::sqrt(uniform(random));
         const float second = uniform(random) * root;
-        points.push_back({(1.0f - root) * a + (root - second) * b + second * c, glm::normalize(glm::cross(b - a, c - a))});
+        points.push_back(
+            {(1.0f - root) * a + (root - second) * b + second * c, glm::normalize(glm::cross(b - a, c - a))});
     }
     return points;
 }

@@ -110,14 +110,13 @@ Pipeline PipelineLibrary::makeGraphics(const GraphicsKey& key) {
         stages.push_back(stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, moduleFor(key.fragmentShader), specialisation));
 
     const VkVertexInputBindingDescription corner{0, 16, VK_VERTEX_INPUT_RATE_VERTEX};
-    const VkVertexInputAttributeDescription attributes[] = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
-                                                            {1, 0, VK_FORMAT_R32_UINT, 12}};
+    const VkVertexInputAttributeDescription position{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0};
     VkPipelineVertexInputStateCreateInfo vertexInput{};
     vertexInput.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
     vertexInput.vertexBindingDescriptionCount = key.triangleRecords ? 1 : 0;
     vertexInput.pVertexBindingDescriptions = &corner;
-    vertexInput.vertexAttributeDescriptionCount = key.triangleRecords ? 2 : 0;
-    vertexInput.pVertexAttributeDescriptions = attributes;
+    vertexInput.vertexAttributeDescriptionCount = key.triangleRecords ? 1 : 0;
+    vertexInput.pVertexAttributeDescriptions = &position;
 
     VkPipelineInputAssemblyStateCreateInfo assembly{};
     assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;

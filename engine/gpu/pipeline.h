@@ -40,7 +40,7 @@ struct GraphicsKey {
     VkCompareOp depthCompare = VK_COMPARE_OP_LESS;
     bool additiveBlend = false;
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-    bool triangleRecords = false;  // vertex buffer 0 holds shared::TriangleCorner
+    bool triangleRecords = false;  // location 0 is the position of a triangle record's corner, 16 bytes apart
     auto operator<=>(const GraphicsKey&) const = default;
 };
 

@@ -72,7 +72,7 @@ class ObjParser {
         glm::dvec3 vector(0.0);
         for (int i = 0; i < 3; ++i) {
             const std::string_view word = takeWord(rest);
-            if (word.empty() && i >= required) break;
+            if ((word.empty() || word.front() == '#') && i >= required) break;
             const std::optional<double> number = parseNumber(word);
             if (!number) {
                 warn("malformed vertex data: not a number");

@@ -1,5 +1,5 @@
-// Every ray goes through here. Needs the buffers that engine/accel builds, bound as bindings.h says. Tests compile it as
-// C++ too, with their own imageLoad().
+// Every ray goes through here. Needs the buffers that engine/accel builds, bound as bindings.h says. Tests compile it
+// as C++ too, with their own imageLoad().
 #ifndef MANYLIGHT_LIB_BVH
 #define MANYLIGHT_LIB_BVH
 #include "shaders/shared/bindings.h"
@@ -16,8 +16,8 @@ struct Hit {
     vec2 barycentrics;  // weights of the second and third corner
 };
 
-// A driver may end loops after a number of iterations (lavapipe: 65,535 per invocation, without a word). Set when a loop
-// of a traversal ended though its condition held: the answer is worth nothing, and the pass must say so.
+// A driver may end loops after a number of iterations (lavapipe: 65,535 per invocation, without a word). Set when a
+// loop of a traversal ended though its condition held: the answer is worth nothing, and the pass must say so.
 bool bvhLoopBudgetExceeded = false;
 
 // The children put aside, with kBvhDone at the bottom.

@@ -11,7 +11,8 @@ struct BvhNode {
     vec3 origin;
     // Bits 0-7, 8-15, 16-23: exponents of x, y, z. Bits 24-27, 28-31: triangles of the left and right child, 0 = inner.
     uint exponentsAndCounts;
-    // Per axis, from the low byte: left lower, right lower, left upper, right upper plane. An absent child has lower > upper.
+    // Per axis, from the low byte: left lower, right lower, left upper, right upper plane. An absent child has lower >
+    // upper.
     uint planesX;
     uint planesY;
     uint planesZ;
@@ -21,12 +22,12 @@ struct BvhNode {
 };
 
 MANYLIGHT_CONSTANT(uint, kBvhMaxLeafSize, 8u);
-MANYLIGHT_CONSTANT(int, kBvhStackSize, 48);         // more than the depth of any BVH that buildBvh() returns
+MANYLIGHT_CONSTANT(int, kBvhStackSize, 48);  // more than the depth of any BVH that buildBvh() returns
 MANYLIGHT_CONSTANT(uint, kBvhMaxTriangles, 0x07ffffffu);
 
 // What a traversal has to visit next, in 32 bits: an inner node's index, or kBvhLeaf | first triangle * 16 | count.
 MANYLIGHT_CONSTANT(uint, kBvhLeaf, 0x80000000u);
-MANYLIGHT_CONSTANT(uint, kBvhDone, 0x80000000u);    // a leaf of no triangles: the bottom of the stack
+MANYLIGHT_CONSTANT(uint, kBvhDone, 0x80000000u);  // a leaf of no triangles: the bottom of the stack
 
 MANYLIGHT_CONSTANT(uint, kNoHit, 0xffffffffu);
 

@@ -90,9 +90,9 @@ MANYLIGHT_FUNCTION int firstExit(vec3 t, float tMax) {
     return min(min(floatBitsToInt(t.x), floatBitsToInt(t.y)), min(floatBitsToInt(t.z), floatBitsToInt(tMax)));
 }
 
-// Slab tests of both children; `a` and `b` are the node's texels. No ray that meets a triangle misses its box: the boxes
-// have room for the rounding of the planes, and kExitSlack is more than that of t. Distances are compared as integers:
-// that has less latency than floats and needs no care for NaN.
+// Slab tests of both children; `a` and `b` are the node's texels. No ray that meets a triangle misses its box: the
+// boxes have room for the rounding of the planes, and kExitSlack is more than that of t. Distances are compared as
+// integers: that has less latency than floats and needs no care for NaN.
 MANYLIGHT_FUNCTION NodeVisit visitNode(TraversalRay ray, uint nodeIndex, uvec4 a, uvec4 b, float tMax) {
     const int kExitSlack = 16;  // units in the last place
     const vec3 frameOrigin = vec3(uintBitsToFloat(a.x), uintBitsToFloat(a.y), uintBitsToFloat(a.z));
@@ -115,8 +115,8 @@ MANYLIGHT_FUNCTION NodeVisit visitNode(TraversalRay ray, uint nodeIndex, uvec4 a
     const uint leftCount = (a.w >> 24) & 15u;
     const uint rightCount = a.w >> 28;
     visit.left = leftCount == 0u ? nodeIndex + 1u : kBvhLeaf | (b.w << 4) | leftCount;
-    visit.right = rightCount == 0u ? (leftCount == 0u ? b.w : nodeIndex + 1u)
-                                   : kBvhLeaf | ((b.w + leftCount) << 4) | rightCount;
+    visit.right =
+        rightCount == 0u ? (leftCount == 0u ? b.w : nodeIndex + 1u) : kBvhLeaf | ((b.w + leftCount) << 4) | rightCount;
     return visit;
 }
 

@@ -81,7 +81,7 @@ TEST_F(ObjImport, SeveralObjectsAndForwardIndices) {
 
 TEST_F(ObjImport, CornersWithDifferentNormalsAreDifferentVertices) {
     const Scene scene = import("a.obj",
-                               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 2\nvn 0 3 0\nvt 0.25 0.25\n"
+                               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 2\nvn 0 3 0\nvt 0.25 0.25 # note\n"
                                "f 1/1/1 2//1 3/1\nf 2//2 4//1 3/1\n");
     EXPECT_EQ(scene.vertices.size(), 5u);
     EXPECT_EQ(cornerOf(scene, 0, 0).normal, glm::vec3(0, 0, 1));

@@ -1,0 +1,250 @@
+// The traversal of the shaders, compiled as C++, against testing every triangle and against Embree.
+#include "engine/accel/bvh.h"
+#include "engine/accel/embree_reference.h"
+#include "engine/accel/ray_sets.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/bvh_ray.h"
+#include "shaders/shared/ray_offset.h"
+#include "tests/unit/bvh_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace manylight::shared {
+namespace {
+struct TexelBuffer {
+    const uvec4* texels = nullptr;
+};
+TexelBuffer bvhNodes;
+TexelBuffer bvhTriangles;
+uvec4 imageLoad(const TexelBuffer& buffer, int index) { return buffer.texels[index]; }
+
+#include "shaders/lib/bvh.glsl"
+}  // namespace
+}  // namespace manylight::shared
+
+namespace manylight {
+namespace {
+
+using shared::RayQuery;
+
+/// Binds a scene's buffers to the traversal for as long as it lives.
+class Traversal {
+  public:
+    explicit Traversal(const Scene& scene) : bvh_(buildBvh(scene)), corners_(packTriangles(scene, bvh_)) {
+        static_assert(sizeof(shared::BvhNode) == 2 * sizeof(glm::uvec4));
+        shared::bvhNodes.texels = reinterpret_cast<const glm::uvec4*>(bvh_.nodes.data());
+        shared::bvhTriangles.texels = reinterpret_cast<const glm::uvec4*>(corners_.data());
+        shared::bvhLoopBudgetExceeded = false;
+    }
+    ~Traversal() { EXPECT_FALSE(shared::bvhLoopBudgetExceeded); }
+    Traversal(const Traversal&) = delete;
+    Traversal& operator=(const Traversal&) = delete;
+
+    shared::Hit closest(const RayQuery& ray) const { return shared::closestHit(ray.origin, ray.direction, ray.tMax); }
+    bool occluded(const RayQuery& ray) const { return shared::occluded(ray.origin, ray.direction, ray.tMax); }
+    uint32_t sceneTriangle(const shared::Hit& hit) const { return bvh_.triangleOrder[hit.triangle]; }
+
+    /// The same triangle test on all triangles, without boxes.
+    shared::Hit bruteForce(const RayQuery& query) const {
+        const shared::TraversalRay ray = shared::makeTraversalRay(query.origin, query.direction);
+        shared::Hit best{query.tMax, shared::kNoHit, glm::vec2(0.0f)};
+        if (query.direction == glm::vec3(0.0f)) return best;
+        for (uint32_t i = 0; i < bvh_.triangleOrder.size(); ++i) {
+            const shared::TriangleHit hit = shared::testTriangle(ray, i, query.tMax);
+            if (hit.isHit && hit.t < best.t) best = {hit.t, i, hit.barycentrics};
+        }
+        return best;
+    }
+
+  private:
+    Bvh bvh_;
+    std::vector<glm::vec4> corners_;
+};
+
+void expectSameAsBruteForce(const Scene& scene, const std::vector<RayQuery>& rays) {
+    const Traversal traversal(scene);
+    for (const RayQuery& ray : rays) {
+        const shared::Hit expected = traversal.bruteForce(ray);
+        const shared::Hit hit = traversal.closest(ray);
+        ASSERT_EQ(hit.triangle, expected.triangle)
+            << ray.origin.x << " " << ray.origin.y << " " << ray.origin.z << " towards " << ray.direction.x << " "
+            << ray.direction.y << " " << ray.direction.z;
+        if (hit.triangle != shared::kNoHit) {
+            ASSERT_EQ(hit.t, expected.t);
+        }
+        ASSERT_EQ(traversal.occluded(ray), expected.triangle != shared::kNoHit);
+    }
+}
+
+TEST(BvhTraverse, RandomRaysFindWhatTestingAllTrianglesFinds) {
+    const std::vector<RayQuery> rays = test::randomRays(5000, 1);
+    expectSameAsBruteForce(test::triangleSoup(1000, 0.2f, 1), rays);
+    expectSameAsBruteForce(test::triangleSoup(300, 1.5f, 2), rays);
+    expectSameAsBruteForce(test::closedBox(6, 0.5f), rays);
+}
+
+TEST(BvhTraverse, AxisAlignedRaysAndSignedZeros) {
+    const std::vector<RayQuery> rays = test::signedZeroRays();
+    expectSameAsBruteForce(test::closedBox(4), rays);
+    expectSameAsBruteForce(test::closedBox(3), rays);
+    expectSameAsBruteForce(test::triangleSoup(400, 0.5f, 3), rays);
+}
+
+TEST(BvhTraverse, RaysFromAfarAndToAfar) {
+    std::vector<RayQuery> rays = test::randomRays(3000, 4);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const float distance = std::ldexp(1.0f, static_cast<int>(i % 20));
+        const glm::vec3 target = rays[i].origin;
+        rays[i].origin = target - distance * glm::normalize(rays[i].direction);
+        rays[i].direction = target - rays[i].origin;
+        rays[i].tMax = 1e10f;
+    }
+    expectSameAsBruteForce(test::triangleSoup(1000, 0.2f, 5), rays);
+    expectSameAsBruteForce(test::closedBox(5), rays);
+}
+
+TEST(BvhTraverse, NoTriangleNoHit) {
+    const Traversal traversal(Scene{});
+    for (const RayQuery& ray : test::signedZeroRays()) {
+        ASSERT_FALSE(traversal.occluded(ray));
+        ASSERT_EQ(traversal.closest(ray).triangle, shared::kNoHit);
+    }
+}
+
+TEST(BvhTraverse, AFewTriangles) {
+    for (uint32_t count = 1; count <= 9; ++count) {
+        expectSameAsBruteForce(test::triangleSoup(count, 1.5f, count), test::randomRays(500, count));
+    }
+}
+
+TEST(BvhTraverse, ZeroDirectionsAndNaNMiss) {
+    const Traversal traversal(test::closedBox(4));
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(traversal.occluded({{0, 0, 0.5f}, 1e10f, {0, 0, 0}, 0}));
+    EXPECT_EQ(traversal.closest({{0, 0, 0}, 1e10f, {-0.0f, 0, -0.0f}, 0}).triangle, shared::kNoHit);
+    EXPECT_FALSE(traversal.occluded({{nan, 0, 0}, 1e10f, {0, 0, 1}, 0}));
+    EXPECT_FALSE(traversal.occluded({{0, 0, 0}, 1e10f, {nan, nan, nan}, 0}));
+    EXPECT_FALSE(traversal.occluded({{0, 0, 0}, -1.0f, {0, 0, 1}, 0}));
+    EXPECT_TRUE(traversal.occluded({{0, 0, 0}, 1e10f, {0, 0, 1}, 0}));
+}
+
+TEST(BvhTraverse, TheIntervalIsOpen) {
+    Scene scene;
+    test::addTriangle(scene, {-1, -1, 0.5f}, {1, -1, 0.5f}, {0, 1, 0.5f});
+    const Traversal traversal(scene);
+    EXPECT_FALSE(traversal.occluded({{0, 0, 0}, 0.5f, {0, 0, 1}, 0}));
+    EXPECT_TRUE(traversal.occluded({{0, 0, 0}, std::nextafter(0.5f, 1.0f), {0, 0, 1}, 0}));
+    EXPECT_FALSE(traversal.occluded({{0, 0, 0.5f}, 1.0f, {0, 0, 1}, 0}));
+}
+
+TEST(BvhTraverse, OfTwinsTheFirstInLeafOrderWins) {
+    Scene scene = test::closedBox(4);
+    const std::vector<Triangle> once = scene.triangles;
+    for (int copy = 0; copy < 3; ++copy) scene.triangles.insert(scene.triangles.end(), once.begin(), once.end());
+    expectSameAsBruteForce(scene, test::randomRays(2000, 6));
+}
+
+TEST(BvhTraverse, NoRayEscapesThroughEdgesAndVertices) {
+    uint64_t escapes = 0;
+    for (const float bulge : {0.0f, 0.5f}) {
+        const Scene scene = test::closedBox(30, bulge);
+        const Traversal traversal(scene);
+        for (const RayQuery& ray : test::raysAtEdges(scene, 500000, 7)) {
+            escapes += traversal.occluded(ray) ? 0 : 1;
+            escapes += traversal.closest(ray).triangle != shared::kNoHit ? 0 : 1;
+        }
+    }
+    EXPECT_EQ(escapes, 0u);
+}
+
+TEST(BvhTraverse, SliversAndTinyTrianglesStop) {
+    Scene scene;
+    test::addTriangle(scene, {-0.5f, 0.0f, 0.1f}, {0.5f, 0.0f, 0.1f}, {0.0f, 1e-6f, 0.1f});
+    test::addTriangle(scene, {-1e-4f, -1e-4f, 0.2f}, {1e-4f, -1e-4f, 0.2f}, {0.0f, 1e-4f, 0.2f});
+    test::addTriangle(scene, {0.3f, 0.3f, 0.3f}, {0.3f, 0.3f, 0.3f}, {0.4f, 0.4f, 0.3f});  // no area
+    const Traversal traversal(scene);
+    EXPECT_TRUE(traversal.occluded({{0, 3e-7f, 0}, 0.15f, {0, 0, 1}, 0}));
+    EXPECT_TRUE(traversal.occluded({{0, 0, 0.15f}, 1.0f, {0, 0, 1}, 0}));
+    EXPECT_FALSE(traversal.occluded({{0.35f, 0.35f, 0}, 1.0f, {0, 0, 1}, 0}));
+}
+
+TEST(BvhTraverse, AgreesWithEmbree) {
+    const Scene scene = test::triangleSoup(3000, 0.15f, 8);
+    const Traversal traversal(scene);
+    const EmbreeReference embree(scene, true);
+    uint32_t differences = 0;
+    for (const RayQuery& ray : test::randomRays(50000, 9)) {
+        const shared::Hit hit = traversal.closest(ray);
+        const std::optional<ClosestHit> expected = embree.closest(ray);
+        const bool isHit = hit.triangle != shared::kNoHit;
+        differences += isHit != expected.has_value() ? 1 : 0;
+        if (!isHit || !expected) continue;
+        if (traversal.sceneTriangle(hit) != expected->triangle) {
+            EXPECT_NEAR(hit.t, expected->t, 1e-5f * expected->t);
+        } else {
+            EXPECT_NEAR(hit.t, expected->t, 1e-4f * expected->t + 1e-6f);
+        }
+    }
+    // Rays are aimed at random, so that none should pass within rounding of the outline of a triangle.
+    EXPECT_LE(differences, 1u);
+}
+
+TEST(RayOffset, LeavesTheSurfaceOnItsSideAndStaysNear) {
+    std::mt19937 random(10);
+    for (int i = 0; i < 10000; ++i) {
+        const glm::vec3 position = test::randomPoint(random, -1.0f, 1.0f);
+        const glm::vec3 side = glm::normalize(test::randomPoint(random));
+        const glm::vec3 moved = shared::offsetPoint(position, side);
+        ASSERT_GT(glm::dot(moved - position, side), 1e-7f);
+        ASSERT_LT(glm::distance(moved, position), 1e-4f);
+    }
+}
+
+TEST(RaySets, PointsOfAConvexRoomSeeEachOther) {
+    const Scene room = test::closedBox(8);
+    const Traversal traversal(room);
+    const std::vector<SurfacePoint> points = randomSurfacePoints(room, 2000, 11);
+    ASSERT_EQ(points.size(), 2000u);
+    for (size_t i = 1; i < points.size(); ++i) {
+        if (std::abs(glm::dot(points[i].normal, points[i].position - points[0].position)) < 1e-3f) continue;
+        if (std::abs(glm::dot(points[0].normal, points[i].position - points[0].position)) < 1e-3f) continue;
+        ASSERT_FALSE(traversal.occluded(coherentShadowRays({points[i]}, points[0])[0])) << i;
+    }
+}
+
+TEST(RaySets, PrimaryRaysCoverThePicture) {
+    Camera camera;
+    camera.verticalFov = 1.5707964f;
+    const RaySet rays = primaryRays(camera, 20, 10);
+    ASSERT_EQ(rays.size(), 200u);
+    glm::vec3 sum{0.0f};
+    float widest = 0.0f;
+    for (const RayQuery& ray : rays) {
+        EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);
+        sum += ray.direction / -ray.direction.z;
+        widest = std::max(widest, ray.direction.x / -ray.direction.z);
+    }
+    EXPECT_NEAR(sum.x, 0.0f, 1e-4f);
+    EXPECT_NEAR(sum.y, 0.0f, 1e-4f);
+    EXPECT_NEAR(widest, 1.9f, 1e-5f);  // half width 2, less half a pixel
+}
+
+TEST(RaySets, BounceRaysLeaveTheirSurfaces) {
+    const Scene room = test::closedBox(4);
+    Camera camera;
+    const std::vector<SurfacePoint> points = surfacePoints(room, primaryRays(camera, 40, 40));
+    ASSERT_EQ(points.size(), 1600u);  // no ray leaves the room
+    const RaySet rays = diffuseBounceRays(points, 12);
+    double cosineSum = 0.0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const float cosine = glm::dot(rays[i].direction, points[i].normal);
+        ASSERT_GE(cosine, 0.0f);
+        cosineSum += static_cast<double>(cosine);
+    }
+    EXPECT_NEAR(cosineSum / 1600.0, 2.0 / 3.0, 0.03);  // the mean cosine of a cosine distribution; 5 sigma
+}
+
+}  // namespace
+}  // namespace manylight
