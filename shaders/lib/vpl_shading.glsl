@@ -14,10 +14,10 @@ struct Receiver {
 // G(x,y) = cos+ cos+ / d^2, from the unnormalised connection: one division and no root. d^2 of coincident points is 0,
 // and so are both cosines: the guard keeps 0/0 out.
 float geometryTerm(vec3 receiverNormal, vec3 emitterNormal, vec3 toEmitter) {
-    const float squaredDistance = dot(toEmitter, toEmitter);
+    const float inverseSquare = 1.0 / max(dot(toEmitter, toEmitter), 1e-30);
     const float cosReceiver = max(dot(receiverNormal, toEmitter), 0.0);
     const float cosEmitter = max(-dot(emitterNormal, toEmitter), 0.0);
-    return (cosReceiver / max(squaredDistance, 1e-30)) * (cosEmitter / max(squaredDistance, 1e-30));
+    return (cosReceiver * inverseSquare) * (cosEmitter * inverseSquare);
 }
 
 // Irradiance at the receiver from a VPL, without visibility: intensity * min(G, bound).
