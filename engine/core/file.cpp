@@ -12,14 +12,25 @@ namespace manylight {
 
 namespace fs = std::filesystem;
 
-void writeAtomically(const fs::path& target, const std::function<void(const fs::path&)>& write) {
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+namespace {
+
+fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+}  // namespace
+
+void requireWritable(const fs::path& target) {
+    const fs::path folder = folderOf(target);
     if (!fs::is_directory(folder)) fail("{}: cannot write: folder {} does not exist", target.string(), folder.string());
     if (fs::is_directory(target)) fail("{}: cannot write: it is a folder", target.string());
+    if (::access(folder.c_str(), W_OK) != 0)
+        fail("{}: cannot write: no permission to write in folder {}", target.string(), folder.string());
+}
 
+void writeAtomically(const fs::path& target, const std::function<void(const fs::path&)>& write) {
+    requireWritable(target);
     // The extension stays last: writers choose their format by it.
     const fs::path temporary =
-        folder / fmt::format(".{}.{}{}", target.stem().string(), ::getpid(), target.extension().string());
+        folderOf(target) / fmt::format(".{}.{}{}", target.stem().string(), ::getpid(), target.extension().string());
     try {
         write(temporary);
         fs::rename(temporary, target);

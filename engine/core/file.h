@@ -13,6 +13,10 @@ namespace manylight {
 void writeAtomically(const std::filesystem::path& target,
                      const std::function<void(const std::filesystem::path&)>& write);
 
+/// Throws the Error that writeAtomically() would throw for a missing folder or a folder in the file's place: for
+/// programs that work for long before they write.
+void requireWritable(const std::filesystem::path& target);
+
 /// Writes `text` to `target` atomically.
 void writeTextFile(const std::filesystem::path& target, std::string_view text);
 

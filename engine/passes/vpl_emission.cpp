@@ -45,7 +45,8 @@ BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const SceneP
     paths.vertices = graph.createBuffer(
         "path vertices", {size_t{batch} * options.bounceCount * sizeof(shared::LightData)});
     BufferHandle vpls =
-        graph.createBuffer("VPLs", {size_t{paddedVplCount(options.vplCount)} * sizeof(shared::LightData)});
+        graph.createBuffer("VPLs", {size_t{paddedVplCount(options.vplCount)} * sizeof(shared::LightData),
+                                    VK_FORMAT_R32G32B32A32_SFLOAT});
 
     for (uint32_t first = 0; first < options.pathCount; first += batch) {
         const uint32_t count = std::min(batch, options.pathCount - first);

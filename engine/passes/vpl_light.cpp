@@ -11,7 +11,7 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
                         uint32_t width, uint32_t height) {
     const bool shadows = options.castShadows;
     const uint32_t limit = shadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
-    const uint32_t pixelsPerThread = shadows ? 1u : shared::kPixelsPerInvocation;
+    const uint32_t pixelsPerThread = shadows ? 1u : options.pixelsPerInvocation;
     for (const shared::ShadePush& push : shadingStretches(0, options.vplCount, limit, false)) {
         const bool adds = radiance.has_value();
         if (!adds) radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
@@ -19,12 +19,12 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
         readSurfaces(pass, scene, PipelineKind::Compute);
         pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
             .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
-            .read(vpls, Access::ComputeStorageRead, shared::kBindingVpls);
+            .read(vpls, Access::ComputeTexelRead, shared::kBindingVplTexels);
         if (shadows) scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         radiance = pass.write(*radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                               shared::kBindingRadiance);
         gpu::Specialisation constants = surfaceOptions(plan);
-        constants.insert(constants.end(), {shadows, options.subgroupSize, adds});
+        constants.insert(constants.end(), {shadows, options.subgroupSize, adds, pixelsPerThread});
         pass.execute([constants, push, shadows, width, height, pixelsPerThread](PassContext& context) {
             context.dispatch({.shader = shadows ? "vpl_light_shadowed.comp" : "vpl_light.comp",
                               .groupWidth = shared::kVplGroupWidth,

@@ -11,6 +11,7 @@ struct VplLightOptions {
     uint32_t vplCount = 0;
     bool castShadows = true;  // a ray for every pair that could see each other
     uint32_t subgroupSize = 32;
+    uint32_t pixelsPerInvocation = 4;  // without shadows; a matter of speed, the picture is the same
 };
 
 /// Adds indirect light to `radiance`, or starts a radiance image where there is none. Returns the new version.

@@ -11,6 +11,7 @@ struct FrameInputs {
     const ScenePlan& plan;
     const GpuScene& gpuScene;
     uint32_t subgroupSize = 32;
+    uint32_t pixelsPerInvocation = 4;  // of the gather without shadows
     glm::vec3 environmentRadiance{0.0f};
 };
 

@@ -40,7 +40,10 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
         radiance = addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lights, settings.castShadows, width, height);
     if (lights.vplCount > 0 || !radiance)
         radiance = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls,
-                               {lights.vplCount, settings.castShadows, inputs.subgroupSize}, radiance, width, height);
+                               {.vplCount = lights.vplCount,
+                                .castShadows = settings.castShadows,
+                                .subgroupSize = inputs.subgroupSize,
+                                .pixelsPerInvocation = inputs.pixelsPerInvocation}, radiance, width, height);
     return {*radiance, gbuffer.depth, lights.list()};
 }
 

@@ -8,7 +8,8 @@ namespace {
 
 /// A list of dark VPLs, for shaders that want one bound.
 BufferHandle addDarkVpls(FrameGraph& graph) {
-    BufferHandle vpls = graph.createBuffer("VPLs", {paddedVplCount(1) * sizeof(shared::LightData)});
+    BufferHandle vpls = graph.createBuffer(
+        "VPLs", {paddedVplCount(1) * sizeof(shared::LightData), VK_FORMAT_R32G32B32A32_SFLOAT});
     PassBuilder pass = graph.addPass("dark_vpls");
     vpls = pass.write(vpls, Access::TransferWrite);
     pass.execute([vpls](PassContext& context) { context.fill(vpls, 0); });

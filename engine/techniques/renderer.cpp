@@ -76,7 +76,10 @@ Renderer::~Renderer() = default;
 void Renderer::restart(const RenderSettings& settings) {
     const glm::uvec2 before{settings_.width, settings_.height};
     resolve(settings);
-    if (before != glm::uvec2{settings_.width, settings_.height}) makeTargets();
+    if (before != glm::uvec2{settings_.width, settings_.height}) {
+        makeTargets();
+        gatherTuner_ = {};
+    }
     frameCount_ = 0;
 }
 
@@ -152,8 +155,12 @@ FrameGraph Renderer::declareFrame() {
     SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
     addStatusReset(graph, scene);
 
-    const FrameInputs inputs{settings_, plan_, gpuScene_, device_.subgroupSize(),
-                             gpuScene_.emitterTable.environmentRadiance};
+    const FrameInputs inputs{.settings = settings_,
+                             .plan = plan_,
+                             .gpuScene = gpuScene_,
+                             .subgroupSize = device_.subgroupSize(),
+                             .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
+                             .environmentRadiance = gpuScene_.emitterTable.environmentRadiance};
     const bool showsChannel = settings_.show != Show::Picture && settings_.show != Show::Vpls;
     TechniqueResult result = settings_.technique == Technique::Deferred || showsChannel
                                  ? declareInstantRadiosity(graph, scene, inputs)
@@ -192,6 +199,7 @@ Execution Renderer::renderFrame() {
     writeFrameConstants();
     const FrameGraph graph = declareFrame();
     Execution execution = executor_.execute(graph);
+    tuneGather(execution);
     status_ = readStatus(statusBuffer_);
     if (status_.loopBudgetExceeded != 0)
         fail("device {} ended a ray before its time (its loop limit was met): the picture would be wrong. "
@@ -201,6 +209,14 @@ Execution Renderer::renderFrame() {
                   status_.shadingNormalsCapped);
     ++frameCount_;
     return execution;
+}
+
+void Renderer::tuneGather(const Execution& execution) {
+    if (settings_.technique != Technique::Deferred || settings_.castShadows) return;
+    double milliseconds = 0.0;
+    for (const PassTime& pass : execution.passTimes)
+        if (pass.pass == "vpl_light") milliseconds += pass.milliseconds;
+    if (milliseconds > 0.0) gatherTuner_.report(milliseconds);
 }
 
 Image Renderer::radiance() {

@@ -4,6 +4,7 @@
 #include "engine/graph/execute.h"
 #include "engine/image/image.h"
 #include "engine/passes/frame_status.h"
+#include "engine/techniques/gather_tuner.h"
 #include "engine/techniques/settings.h"
 
 #include <memory>
@@ -27,7 +28,7 @@ class Renderer {
     /// Throws Error if the driver cut a ray off (the picture would be wrong).
     Execution renderFrame();
 
-    /// Forgets the frames so far. The size must stay; everything else may change. Resolves as the constructor does.
+    /// Forgets the frames so far. Resolves as the constructor does.
     void restart(const RenderSettings& settings);
 
     /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
@@ -62,6 +63,7 @@ class Renderer {
     void makeTargets();
     void writeFrameConstants();
     FrameGraph declareFrame();
+    void tuneGather(const Execution& execution);
 
     gpu::Device& device_;
     const Scene& scene_;
@@ -80,6 +82,7 @@ class Renderer {
     Warnings warnings_;
     uint32_t frameCount_ = 0;
     bool keepsVpls_ = false;
+    GatherTuner gatherTuner_;
 };
 
 }  // namespace manylight

@@ -6,17 +6,18 @@
 
 layout(constant_id = 3) const uint kVplBlock = 8u;  // the subgroup's size
 
-layout(set = 0, binding = kBindingVpls, scalar) readonly buffer VplBlock { LightData vpls[]; };
+// Texel loads are twice as fast as storage-buffer loads on a software driver, and no slower on a GPU.
+layout(set = 0, binding = kBindingVplTexels, rgba32f) readonly uniform imageBuffer vplTexels;
 
 vec4 heldPosition;   // and intensity
 vec3 heldDirection;
 vec3 heldColour;
 
 void loadVplBlock(uint base) {
-    const uint mine = base + gl_SubgroupInvocationID;
-    heldPosition = vec4(vpls[mine].position, vpls[mine].intensity);
-    heldDirection = vpls[mine].direction;
-    heldColour = vpls[mine].colour;
+    const int mine = int((base + gl_SubgroupInvocationID) * kTexelsPerLight);
+    heldPosition = imageLoad(vplTexels, mine);
+    heldDirection = imageLoad(vplTexels, mine + 1).xyz;
+    heldColour = imageLoad(vplTexels, mine + 2).xyz;
 }
 
 LightData vplOfBlock(uint i) {

@@ -6,7 +6,7 @@
 #include "shaders/lib/vpl_list_shuffle.glsl"
 #include "shaders/shared/vpl_light.h"
 
-const uint kReceivers = kPixelsPerInvocation;
+layout(constant_id = 5) const uint kReceivers = 4u;  // pixels per invocation, one above the other
 #include "shaders/lib/shade_lights.glsl"
 
 layout(constant_id = 4) const bool kAddToRadiance = false;
@@ -17,7 +17,7 @@ layout(push_constant, scalar) uniform Push { ShadePush push; };
 
 void main() {
     // No early return: every lane holds a VPL for the others.
-    const ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(kVplGroupWidth, kVplGroupHeight * kPixelsPerInvocation);
+    const ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(kVplGroupWidth, kVplGroupHeight * kReceivers);
     const ivec2 first = group + ivec2(gl_LocalInvocationID.xy);
     Receiver receivers[kReceivers];
     vec3 albedo[kReceivers];

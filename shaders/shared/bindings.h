@@ -26,6 +26,7 @@ MANYLIGHT_CONSTANT(int, kBindingGBufferShading, 17);    // image RGBA32_UINT: no
 MANYLIGHT_CONSTANT(int, kBindingRadiance, 18);          // image RGBA32F: radiance of this frame
 MANYLIGHT_CONSTANT(int, kBindingRadianceSum, 19);       // image RGBA32F: sum over frames
 MANYLIGHT_CONSTANT(int, kBindingDisplay, 20);           // image RGBA8: what is shown
+MANYLIGHT_CONSTANT(int, kBindingVplTexels, 21);         // storage texel buffer, RGBA32F: kTexelsPerLight per VPL
 
 MANYLIGHT_SHARED_END
 #endif

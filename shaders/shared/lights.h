@@ -37,6 +37,9 @@ struct LightData {
     uint unused;
 };
 
+// As texels of four floats: position and intensity, direction (and kind), colour (and cosCutoff), the rest.
+MANYLIGHT_CONSTANT(uint, kTexelsPerLight, 4u);
+
 // One entry of the emitter table, sampled in proportion to power: a light or an emissive triangle.
 MANYLIGHT_CONSTANT(uint, kEmitterPoint, 1u);
 MANYLIGHT_CONSTANT(uint, kEmitterSpot, 2u);
@@ -67,6 +70,10 @@ struct FrameStatus {
     uint vplsTraced;            // vertices of all light paths
     uint vplsShaded;            // of these, in the VPL list
 };
+
+#ifdef __cplusplus
+static_assert(sizeof(LightData) == 16 * kTexelsPerLight);
+#endif
 
 MANYLIGHT_SHARED_END
 #endif

@@ -6,7 +6,6 @@ MANYLIGHT_SHARED_BEGIN
 
 MANYLIGHT_CONSTANT(uint, kVplGroupWidth, 16u);
 MANYLIGHT_CONSTANT(uint, kVplGroupHeight, 8u);
-MANYLIGHT_CONSTANT(uint, kPixelsPerInvocation, 4u);  // one above the other
 
 // The VPL list is padded with dark entries to a multiple of this, which every subgroup size divides.
 MANYLIGHT_CONSTANT(uint, kVplPadding, 128u);

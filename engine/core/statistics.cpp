@@ -1,0 +1,58 @@
+#include "engine/core/statistics.h"
+
+#include "engine/core/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace manylight {
+namespace {
+
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// `sorted` ascending.
+double percentileOfSorted(const std::vector<double>& sorted, double fraction) {
+    MANYLIGHT_CHECK(sorted.size() > 0u, "percentile of nothing");
+    MANYLIGHT_CHECK((fraction >= 0.0 && fraction <= 1.0), "fraction {}", fraction);
+    const double place = fraction * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<size_t>(place);
+    const size_t above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+}  // namespace
+
+double percentile(std::vector<double> values, double fraction) {
+    std::sort(values.begin(), values.end());
+    return percentileOfSorted(values, fraction);
+}
+
+double median(std::vector<double> values) { return percentile(std::move(values), 0.5); }
+
+Spread spreadOf(const std::vector<double>& values) {
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    return {percentileOfSorted(sorted, 0.5), percentileOfSorted(sorted, 0.05), percentileOfSorted(sorted, 0.95)};
+}
+
+std::optional<Line> fitLine(const std::vector<double>& xs, const std::vector<double>& ys) {
+    MANYLIGHT_CHECK(xs.size() == ys.size(), "points of a line");
+    if (xs.empty()) return std::nullopt;
+    // About the means, so that far-off points lose no digits.
+    const double meanX = mean(xs);
+    const double meanY = mean(ys);
+    double squares = 0.0;
+    double products = 0.0;
+    for (size_t i = 0; i < xs.size(); ++i) {
+        squares += (xs[i] - meanX) * (xs[i] - meanX);
+        products += (xs[i] - meanX) * (ys[i] - meanY);
+    }
+    if (squares == 0.0) return std::nullopt;
+    const double slope = products / squares;
+    return Line{meanY - slope * meanX, slope};
+}
+
+}  // namespace manylight

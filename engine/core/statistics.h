@@ -1,0 +1,31 @@
+// Order statistics and line fits, for timings.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace manylight {
+
+/// The value that a share `fraction` (0 to 1) of `values` lies below, linear between neighbours in order. `values` must
+/// not be empty and hold no NaN.
+double percentile(std::vector<double> values, double fraction);
+
+double median(std::vector<double> values);
+
+/// Median, 5th and 95th percentile.
+struct Spread {
+    double median = 0.0;
+    double p5 = 0.0;
+    double p95 = 0.0;
+};
+Spread spreadOf(const std::vector<double>& values);
+
+/// y = intercept + slope * x.
+struct Line {
+    double intercept = 0.0;
+    double slope = 0.0;
+};
+/// The line of least squares in y; empty without two different x. As many ys as xs.
+std::optional<Line> fitLine(const std::vector<double>& xs, const std::vector<double>& ys);
+
+}  // namespace manylight
