@@ -53,6 +53,10 @@ const Channel& channelNamed(const std::string& name) {
 
 }  // namespace
 
+void requireKnownAovs(const std::vector<std::string>& names) {
+    for (const std::string& name : names) channelNamed(name);
+}
+
 std::vector<ExrLayer> captureAovs(Renderer& renderer, const Scene& scene, const std::vector<std::string>& names) {
     std::vector<ExrLayer> layers;
     for (const std::string& name : names) {

@@ -1,6 +1,9 @@
 #include "apps/capture/outputs.h"
 
+#include "apps/capture/aovs.h"
+
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -22,6 +25,8 @@ void requireWritableFolder(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (!fs::is_directory(folder)) fail("{}: cannot write: folder {} does not exist", file.string(), folder.string());
     if (fs::is_directory(file)) fail("{}: cannot write: it is a folder", file.string());
+    if (::access(folder.c_str(), W_OK) != 0)
+        fail("{}: cannot write: no permission for folder {}", file.string(), folder.string());
 }
 
 /// One texel as floats: integers become numbers of the same value, so that an EXR viewer shows them.
@@ -70,6 +75,7 @@ void checkOutputs(const CaptureOptions& options) {
         requireWritableFolder(output);
     }
     if (!options.report.empty()) requireWritableFolder(options.report);
+    requireKnownAovs(options.aovs);
     if (!options.dumpPass.empty() && options.outputs.empty())
         failUsage("--dump-pass {}: expected -o too, its files go beside the output", options.dumpPass);
 }

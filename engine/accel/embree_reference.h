@@ -1,14 +1,12 @@
 // The same scene in Embree: the other opinion on what a ray hits, and the speed to be measured against.
 #pragma once
 
-#include "engine/scene/scene.h"
-#include "shaders/shared/ray.h"
+#include "engine/accel/ray_sets.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace manylight {
 
@@ -18,8 +16,6 @@ struct ClosestHit {
     glm::vec2 barycentrics{0.0f};  // weights of the second and third corner
     glm::vec3 normal{0.0f};        // geometric, not normalised, counter-clockwise side
 };
-
-enum class RayKind : uint8_t { AnyHit, ClosestHit };
 
 /// Single-ray queries (rtcOccluded1, rtcIntersect1) in Embree's robust mode or its default one. Thread-safe.
 class EmbreeReference {

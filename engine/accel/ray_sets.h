@@ -11,6 +11,9 @@ namespace manylight {
 
 using RaySet = std::vector<shared::RayQuery>;
 
+/// What is asked about a ray.
+enum class RayKind : uint8_t { AnyHit, ClosestHit };
+
 /// One ray through the centre of each of width * height pixels, in Morton order (neighbours in the list are
 /// neighbours in the picture). tMax is infinite for practical purposes.
 RaySet primaryRays(const Camera& camera, uint32_t width, uint32_t height);

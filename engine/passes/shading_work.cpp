@@ -6,6 +6,10 @@
 
 namespace manylight {
 
+// One iteration per light, a few per block of VPLs; with shadows, those of a ray on top.
+static_assert(2 * shared::kMaxVplsPerDispatch < shared::kLoopBudget);
+static_assert(200 * shared::kMaxShadowedVplsPerDispatch < shared::kLoopBudget);
+
 std::vector<shared::ShadePush> shadingStretches(uint32_t lightCount, uint32_t vplCount, uint32_t limit,
                                                 bool showEmission) {
     MANYLIGHT_CHECK(limit % shared::kVplPadding == 0u, "stretches of {}", limit);

@@ -14,9 +14,9 @@ struct Receiver {
 // G(x,y) = cos+ cos+ / d^2, from the unnormalised connection: one division and no root. d^2 of coincident points is 0,
 // and so are both cosines: the guard keeps 0/0 out.
 float geometryTerm(vec3 receiverNormal, vec3 emitterNormal, vec3 toEmitter) {
-    const float inverseSquare = 1.0 / max(dot(toEmitter, toEmitter), 1e-30);
-    const float cosReceiver = max(dot(receiverNormal, toEmitter), 0.0);
-    const float cosEmitter = max(-dot(emitterNormal, toEmitter), 0.0);
+    const float inverseSquare = 1.0f / max(dot(toEmitter, toEmitter), 1e-30f);
+    const float cosReceiver = max(dot(receiverNormal, toEmitter), 0.0f);
+    const float cosEmitter = max(-dot(emitterNormal, toEmitter), 0.0f);
     return (cosReceiver * inverseSquare) * (cosEmitter * inverseSquare);
 }
 
@@ -29,14 +29,14 @@ vec3 irradianceOfVpl(Receiver receiver, LightData vpl, float bound) {
 // Irradiance at the receiver from any light, without visibility. The bound is for VPLs only: here nothing is cut.
 vec3 irradianceOfLight(Receiver receiver, LightData light) {
     const vec3 spectrum = light.intensity * light.colour;
-    if (light.kind == kLightDirectional) return spectrum * max(-dot(receiver.normal, light.direction), 0.0);
+    if (light.kind == kLightDirectional) return spectrum * max(-dot(receiver.normal, light.direction), 0.0f);
     const vec3 toLight = light.position - receiver.position;
     if (light.kind == kLightSurface) return spectrum * geometryTerm(receiver.normal, light.direction, toLight);
-    const float squaredDistance = max(dot(toLight, toLight), 1e-30);
+    const float squaredDistance = max(dot(toLight, toLight), 1e-30f);
     const vec3 direction = toLight * inversesqrt(squaredDistance);
     const float emission =
-        light.kind == kLightSpot ? spotFalloff(-dot(direction, light.direction), light.cosBeam, light.cosCutoff) : 1.0;
-    return spectrum * (emission * max(dot(receiver.normal, direction), 0.0) / squaredDistance);
+        light.kind == kLightSpot ? spotFalloff(-dot(direction, light.direction), light.cosBeam, light.cosCutoff) : 1.0f;
+    return spectrum * (emission * max(dot(receiver.normal, direction), 0.0f) / squaredDistance);
 }
 
 #endif

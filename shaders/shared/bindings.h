@@ -27,6 +27,8 @@ MANYLIGHT_CONSTANT(int, kBindingRadiance, 18);          // image RGBA32F: radian
 MANYLIGHT_CONSTANT(int, kBindingRadianceSum, 19);       // image RGBA32F: sum over frames
 MANYLIGHT_CONSTANT(int, kBindingDisplay, 20);           // image RGBA8: what is shown
 MANYLIGHT_CONSTANT(int, kBindingVplTexels, 21);         // storage texel buffer, RGBA32F: kTexelsPerLight per VPL
+MANYLIGHT_CONSTANT(int, kBindingRayQueries, 22);        // storage: RayQuery
+MANYLIGHT_CONSTANT(int, kBindingRayAnswers, 23);        // storage: RayHit or a uint flag per RayQuery
 
 MANYLIGHT_SHARED_END
 #endif

@@ -10,7 +10,9 @@ MANYLIGHT_CONSTANT(uint, kVplGroupHeight, 8u);
 // The VPL list is padded with dark entries to a multiple of this, which every subgroup size divides.
 MANYLIGHT_CONSTANT(uint, kVplPadding, 128u);
 
-// lavapipe ends every loop silently after 65,535 iterations of an invocation; a shadow ray takes tens of them.
+// lavapipe ends every loop silently after this many iterations of an invocation, all its loops together. A shadow ray
+// takes tens of them, 200 at worst; the traversal reports if it was cut off all the same.
+MANYLIGHT_CONSTANT(uint, kLoopBudget, 65535u);
 MANYLIGHT_CONSTANT(uint, kMaxShadowedVplsPerDispatch, 256u);
 MANYLIGHT_CONSTANT(uint, kMaxVplsPerDispatch, 8192u);
 // A uniform buffer of 64 KiB holds this many.

@@ -1,0 +1,116 @@
+#include "apps/bench/fps.h"
+
+#include "apps/bench/fps_outputs.h"
+#include "apps/bench/fps_table.h"
+#include "apps/bench/plot.h"
+#include "engine/core/file.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace manylight {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  manylight-bench fps scenes/cornell_box.json --size 256x192 --vpls 20,50,90,200\n"
+    "  manylight-bench fps scene.obj --shadows off --csv fps.csv --json fps.json --plot fps.png\n"
+    "  manylight-bench fps scene.gltf --techniques deferred --csv - > fps.csv\n"
+    "The plot needs Python's matplotlib; MANYLIGHT_PYTHON names another interpreter than /usr/bin/python3.";
+
+bool goesToStandardOutput(const std::string& file) { return file == "-"; }
+
+/// Throws Error before anything is measured.
+void checkOutputs(const FpsOptions& options) {
+    if (goesToStandardOutput(options.csv) && goesToStandardOutput(options.json))
+        failUsage("--csv - and --json -: only one of them can go to standard output");
+    if (!options.plot.empty() && !options.plot.ends_with(".png") && !options.plot.ends_with(".svg"))
+        failUsage("--plot {}: expected a file name that ends in .png or .svg", options.plot);
+    for (const std::string& file : {options.csv, options.json, options.text, options.plot})
+        if (!file.empty() && !goesToStandardOutput(file)) requireWritable(file);
+}
+
+void write(const std::string& file, const std::string& text) {
+    if (file.empty()) return;
+    if (goesToStandardOutput(file))
+        fmt::print("{}", text);
+    else
+        writeTextFile(file, text);
+}
+
+void fps(const FpsOptions& options) {
+    if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
+    checkOutputs(options);
+    const FpsRun run = measureFps(options);
+    printWarnings(run.warnings);
+
+    // Standard output is the table's, unless a program reads it.
+    const FpsSummary summary = summarise(run);
+    const std::string table = fpsTable(options, run, summary);
+    const bool isPiped = goesToStandardOutput(options.csv) || goesToStandardOutput(options.json);
+    fmt::print(isPiped ? stderr : stdout, "{}", table);
+    std::fflush(stdout);
+
+    const Json json = fpsJson(options, run, summary);
+    if (!options.text.empty()) writeTextFile(options.text, table);
+    write(options.csv, fpsCsv(summary));
+    write(options.json, json.dump(2) + "\n");
+    if (!options.plot.empty()) drawPlot("plot_fps.py", json, options.plot);
+}
+
+void addMeasureOptions(CLI::App& parser, FpsOptions& options) {
+    const auto counts = CLI::Range(0, 1 << 21);
+    parser.add_option("scene", options.scene, "OBJ, glTF or GLB file, or a JSON sidecar");
+    parser.add_option("--vpls", options.vplCounts, "VPL counts")->delimiter(',')->check(counts)->capture_default_str();
+    parser
+        .add_option("--shadowed-vpls", options.shadowedVplCounts,
+                    "VPL counts with shadows; otherwise those of --vpls, on a software driver up to 90 only")
+        ->delimiter(',')
+        ->check(counts);
+    parser.add_option("--techniques", options.techniques, "what to compare")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"forward", "forward-prepass", "deferred"}))
+        ->option_text("forward,forward-prepass,deferred");
+    parser.add_option("--shadows", options.shadows, "VPLs without shadow rays, with them, or both")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"off", "on"}))
+        ->option_text("off,on");
+    parser.add_option("--seconds", options.secondsPerCell, "time for each combination, at least")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+    parser.add_option("--frames", options.framesPerCell, "frames for each combination, at least")
+        ->check(CLI::Range(1, 1 << 20))
+        ->capture_default_str();
+    parser
+        .add_option("--rounds", options.roundCount, "turns that each combination takes, to share the machine's drift")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    parser.add_option("--device", options.device, "index or part of the name of a Vulkan device");
+}
+
+void addOutputOptions(CLI::App& parser, FpsOptions& options) {
+    const auto add = [&](const char* option, std::string& file, const char* help) {
+        parser.add_option(option, file, help)->type_name("FILE")->group("Output");
+    };
+    add("--text", options.text, "the table, as on standard output");
+    add("--csv", options.csv, "one line a combination; - for standard output");
+    add("--json", options.json, "everything; - for standard output");
+    add("--plot", options.plot, "FPS, ms and ratios over VPL counts, as .png or .svg");
+}
+
+}  // namespace
+
+BenchCommand addFpsCommand(CLI::App& app) {
+    CLI::App* parser = app.add_subcommand("fps", "frames per second over VPL counts, forward against deferred");
+    const auto options = std::make_shared<FpsOptions>();
+    parser->footer(kExamples);
+    parser->get_formatter()->column_width(38);
+    addMeasureOptions(*parser, *options);
+    addOutputOptions(*parser, *options);
+    addSettingOptions(*parser, options->settings, {"technique", "vpls", "shadows", "show", "vpl-dots"});
+    return {parser, [options] { fps(*options); }};
+}
+
+}  // namespace manylight

@@ -1,0 +1,135 @@
+#include "apps/bench/fps_measure.h"
+
+#include "apps/bench/calibration.h"
+#include "engine/core/progress.h"
+#include "engine/core/statistics.h"
+#include "engine/scene/import.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace manylight {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kSlowFrame = 2000.0;            // milliseconds; such frames are warmed up once only
+constexpr uint32_t kMaxShadowedOnSoftware = 90;  // a shadow ray costs a software driver 100 times an unshadowed pair
+
+bool contains(const std::vector<std::string>& list, const std::string& text) {
+    return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+std::vector<uint32_t> ascending(std::vector<uint32_t> counts) {
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    return counts;
+}
+
+/// As asked for; else all of them, but on a software driver only the small ones.
+std::vector<uint32_t> shadowedCounts(const FpsOptions& options, bool softwareDevice) {
+    if (!options.shadowedVplCounts.empty()) return ascending(options.shadowedVplCounts);
+    std::vector<uint32_t> counts = ascending(options.vplCounts);
+    if (softwareDevice)
+        while (counts.size() > 1 && counts.back() > kMaxShadowedOnSoftware) counts.pop_back();
+    return counts;
+}
+
+std::vector<FpsSamples> makeCells(const FpsOptions& options, const std::vector<uint32_t>& shadowedVplCounts) {
+    std::vector<FpsSamples> cells;
+    for (const bool castShadows : {false, true}) {
+        if (!contains(options.shadows, castShadows ? "on" : "off")) continue;
+        for (const uint32_t vplCount : castShadows ? shadowedVplCounts : ascending(options.vplCounts))
+            for (const Technique technique : {Technique::Forward, Technique::ForwardPrepass, Technique::Deferred}) {
+                if (!contains(options.techniques, name(technique))) continue;
+                FpsSamples samples;
+                samples.cell = {technique, castShadows, vplCount};
+                cells.push_back(std::move(samples));
+            }
+    }
+    return cells;
+}
+
+void addPassTimes(std::vector<PassSamples>& passes, const std::vector<PassTime>& times) {
+    for (PassSamples& pass : passes) pass.milliseconds.push_back(0.0);
+    for (const PassTime& time : times) {
+        auto pass =
+            std::find_if(passes.begin(), passes.end(), [&](const auto& known) { return known.pass == time.pass; });
+        if (pass == passes.end()) pass = passes.insert(passes.end(), {time.pass, {0.0}});
+        pass->milliseconds.back() += time.milliseconds;
+    }
+}
+
+/// Renders a frame and returns its milliseconds, submit to fence.
+double measureFrame(Renderer& renderer, FpsSamples* samples) {
+    const auto start = Clock::now();
+    const Execution execution = renderer.renderFrame();
+    const double total = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (samples != nullptr) {
+        samples->wall.push_back(execution.wallMilliseconds);
+        samples->host.push_back(total - execution.wallMilliseconds);
+        samples->gpu.push_back(execution.gpuMilliseconds);
+        samples->vplsShaded.push_back(renderer.status().vplsShaded);
+        addPassTimes(samples->passes, execution.passTimes);
+    }
+    return execution.wallMilliseconds;
+}
+
+/// Frames that are not counted: pipelines are compiled and caches filled in them. Slow ones need no repetition.
+void warmUp(Renderer& renderer, const FpsSamples& samples) {
+    const bool isFirstRound = samples.wall.empty();
+    if (!isFirstRound && median(samples.wall) > kSlowFrame) return;
+    const int frameCount = isFirstRound ? 3 : 1;
+    for (int i = 0; i < frameCount; ++i)
+        if (measureFrame(renderer, nullptr) > kSlowFrame) return;
+}
+
+/// One cell's turn in a round.
+void measureCell(Renderer& renderer, RenderSettings settings, const FpsOptions& options, FpsSamples& samples) {
+    settings.technique = samples.cell.technique;
+    settings.castShadows = samples.cell.castShadows;
+    settings.vplCount = samples.cell.vplCount;
+    renderer.restart(settings);
+
+    warmUp(renderer, samples);
+    const double milliseconds = 1000.0 * options.secondsPerCell / options.roundCount;
+    const uint32_t frames = (options.framesPerCell + options.roundCount - 1) / options.roundCount;
+    double spent = 0.0;
+    for (uint32_t i = 0; i < frames || spent < milliseconds; ++i) spent += measureFrame(renderer, &samples);
+}
+
+}  // namespace
+
+FpsRun measureFps(const FpsOptions& options) {
+    const Scene scene = importScene(options.scene);
+    printWarnings(scene.warnings);
+    RenderSettings settings = resolveSettings(scene, options.settings);
+    settings.show = Show::Picture;
+
+    gpu::Device device({.select = options.device});
+    FpsRun run;
+    run.sceneName = scene.name;
+    run.triangleCount = scene.triangles.size();
+    run.machine = describeMachine(device);
+    run.softwareDevice = device.info().isSoftware();
+    run.shadowedVplCounts = shadowedCounts(options, run.softwareDevice);
+    run.cells = makeCells(options, run.shadowedVplCounts);
+
+    Renderer renderer(device, scene, settings);
+    run.settings = renderer.settings();
+    Progress progress("measuring", options.roundCount * run.cells.size());
+    for (uint32_t round = 0; round < options.roundCount; ++round) {
+        run.calibration.push_back(calibrationMilliseconds());
+        for (FpsSamples& samples : run.cells) {
+            measureCell(renderer, settings, options, samples);
+            progress.advance();
+        }
+    }
+    run.calibration.push_back(calibrationMilliseconds());
+    run.settings.pathCount = settings.pathCount;
+    run.warnings = renderer.warnings();
+    return run;
+}
+
+}  // namespace manylight

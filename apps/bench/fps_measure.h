@@ -1,0 +1,47 @@
+// The measurement of `manylight-bench fps`: frame times of every combination, in interleaved rounds.
+#pragma once
+
+#include "apps/bench/fps_options.h"
+#include "engine/techniques/renderer.h"
+
+namespace manylight {
+
+/// One combination that is measured.
+struct FpsCell {
+    Technique technique = Technique::Deferred;
+    bool castShadows = false;
+    uint32_t vplCount = 0;
+};
+
+/// Milliseconds of one pass, or of the passes that share its name, in every frame.
+struct PassSamples {
+    std::string pass;
+    std::vector<double> milliseconds;
+};
+
+/// Samples of one cell, one a frame, over all rounds; milliseconds.
+struct FpsSamples {
+    FpsCell cell;
+    std::vector<double> wall;         // submit to fence
+    std::vector<double> host;         // the rest of Renderer::renderFrame(): declaring, compiling, recording
+    std::vector<double> gpu;          // first timestamp to last
+    std::vector<PassSamples> passes;  // in the order they ran
+    std::vector<double> vplsShaded;
+};
+
+struct FpsRun {
+    std::string sceneName;
+    size_t triangleCount = 0;
+    RenderSettings settings;  // resolved; technique, castShadows and vplCount are the cells'
+    Json machine;
+    bool softwareDevice = false;
+    std::vector<uint32_t> shadowedVplCounts;
+    std::vector<FpsSamples> cells;    // by shadows, then VPL count, then technique
+    std::vector<double> calibration;  // milliseconds: before every round, and after the last
+    Warnings warnings;
+};
+
+/// Imports the scene and measures. Throws Error.
+FpsRun measureFps(const FpsOptions& options);
+
+}  // namespace manylight

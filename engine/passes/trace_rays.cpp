@@ -1,0 +1,30 @@
+#include "engine/passes/trace_rays.h"
+
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/trace_rays.h"
+
+#include <algorithm>
+
+namespace manylight {
+
+uint32_t answerBytes(RayKind kind) { return kind == RayKind::AnyHit ? sizeof(uint32_t) : sizeof(shared::RayHit); }
+
+void addTraceRays(FrameGraph& graph, SceneHandles& scene, RayBuffers& rays, uint32_t rayCount, RayKind kind) {
+    PassBuilder pass = graph.addPass("trace_rays");
+    pass.read(scene.bvhNodes, Access::ComputeTexelRead, shared::kBindingBvhNodes)
+        .read(scene.triangles, Access::ComputeTexelRead, shared::kBindingTriangles)
+        .read(rays.queries, Access::ComputeStorageRead, shared::kBindingRayQueries);
+    rays.answers = pass.write(rays.answers, Access::ComputeStorageWrite, shared::kBindingRayAnswers);
+    scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
+    pass.execute([rayCount, kind](PassContext& context) {
+        const ComputeKernel kernel{.shader = "trace_rays.comp",
+                                   .groupWidth = shared::kTraceRaysGroupSize,
+                                   .specialisation = {kind == RayKind::AnyHit ? 1u : 0u}};
+        for (uint32_t first = 0; first < rayCount; first += shared::kMaxRaysPerDispatch) {
+            const uint32_t count = std::min(rayCount - first, shared::kMaxRaysPerDispatch);
+            context.dispatch(kernel, count, 1, shared::TraceRaysPush{first, first + count});
+        }
+    });
+}
+
+}  // namespace manylight

@@ -1,0 +1,20 @@
+// Answers a list of ray queries: for measuring and testing the traversal that all passes share.
+#pragma once
+
+#include "engine/accel/ray_sets.h"
+#include "engine/passes/gpu_scene.h"
+
+namespace manylight {
+
+struct RayBuffers {
+    BufferHandle queries;  // shared::RayQuery per ray
+    BufferHandle answers;  // room for answerBytes() per ray
+};
+
+/// Bytes of the answer to one ray: a uint flag for any hit, a shared::RayHit for the closest.
+uint32_t answerBytes(RayKind kind);
+
+/// Needs the BVH, triangles and status of `scene`, nothing else.
+void addTraceRays(FrameGraph& graph, SceneHandles& scene, RayBuffers& rays, uint32_t rayCount, RayKind kind);
+
+}  // namespace manylight

@@ -1,0 +1,148 @@
+// The same seed gives the same bytes, and changes that must not matter do not.
+#include "engine/image/image_io.h"
+#include "engine/scene/normalise.h"
+#include "engine/scene/scene_file.h"
+#include "tests/gpu/gpu_test.h"
+#include "tests/gpu/test_scenes.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace manylight::test {
+namespace {
+
+RenderSettings pictureSettings(uint32_t seed = 1) {
+    RenderSettings settings = plainSettings(40, 30);
+    settings.vplCount = 150;
+    settings.bounceCount = -1;
+    settings.russianRoulette = true;
+    settings.castShadows = true;
+    settings.seed = seed;
+    return settings;
+}
+
+/// Each value is exactly 2^exponent times the other picture's.
+void expectScaled(const Image& image, const Image& reference, int exponent) {
+    ASSERT_EQ(image.texels.size(), reference.texels.size());
+    EXPECT_GT(largestOf(reference), 0.0);
+    for (size_t i = 0; i < image.texels.size(); ++i)
+        ASSERT_EQ(image.texels[i], std::ldexp(reference.texels[i], exponent)) << i;
+}
+
+Scene withLightScaled(Scene scene, int exponent) {
+    const float factor = std::ldexp(1.0f, exponent);
+    for (Material& material : scene.materials) material.emittedRadiance *= factor;
+    for (Light& light : scene.lights) light.emission *= factor;
+    return scene;
+}
+
+using Determinism = GpuTest;
+
+TEST_F(Determinism, TheSameSeedGivesTheSameBytes) {
+    for (const Scene& scene : {cornellBox(), everyKindOfLight()}) {
+        const Image first = render(scene, pictureSettings(), 2);
+        const Image second = render(scene, pictureSettings(), 2);
+        const Image other = render(scene, pictureSettings(2), 2);
+        EXPECT_TRUE(sameBits(first, second));
+        EXPECT_FALSE(sameBits(first, other));
+    }
+}
+
+TEST_F(Determinism, TheSameSeedGivesTheSameVpls) {
+    const Scene scene = everyKindOfLight();
+    const VplList first = renderVpls(scene, pictureSettings());
+    const VplList second = renderVpls(scene, pictureSettings());
+    EXPECT_EQ(first.status.vplsTraced, second.status.vplsTraced);
+    EXPECT_TRUE(sameBits(first.vpls, second.vpls));
+    EXPECT_FALSE(sameBits(first.vpls, renderVpls(scene, pictureSettings(2)).vpls));
+    EXPECT_EQ(first.status.vplsShaded, 150u) << "there are vertices enough for all entries";
+    for (const shared::LightData& vpl : first.vpls) EXPECT_GT(vpl.intensity, 0.0f);
+}
+
+TEST_F(Determinism, ARendererStartedAgainForgets) {
+    const Scene scene = cornellBox();
+    Renderer renderer(device(), scene, pictureSettings());
+    renderer.renderFrame();
+    const Image first = renderer.radiance();
+    renderer.renderFrame();
+    EXPECT_FALSE(sameBits(renderer.radiance(), first));
+    EXPECT_EQ(renderer.frameCount(), 2u);
+    RenderSettings other = pictureSettings(9);
+    other.technique = Technique::Forward;
+    renderer.restart(other);
+    renderer.renderFrame();
+    renderer.restart(pictureSettings());
+    renderer.renderFrame();
+    EXPECT_TRUE(sameBits(renderer.radiance(), first));
+}
+
+TEST_F(Determinism, FramesAreSummed) {
+    // Without anything random every frame is the same, and so is their mean.
+    Scene scene = closedBox(glm::vec3(0.5f));
+    scene.lights.push_back(pointLight({0.1f, 0.2f, 0.1f}, glm::vec3(0.3f)));
+    expectScaled(render(scene, plainSettings(), 4), render(scene, plainSettings(), 1), 0);
+}
+
+TEST_F(Determinism, LightScaledByAPowerOfTwoScalesThePicture) {
+    for (const Scene& scene : {cornellBox(), everyKindOfLight(), unevenBox()}) {
+        const Image reference = render(scene, pictureSettings());
+        for (const int exponent : {1, -20, 20})
+            expectScaled(render(withLightScaled(scene, exponent), pictureSettings()), reference, exponent);
+    }
+}
+
+TEST_F(Determinism, TheSceneScaledByAPowerOfTwoIsTheSamePicture) {
+    RawScene raw = readSceneFile(std::filesystem::path(MANYLIGHT_SOURCE_DIR) / "scenes" / "cornell_box.json");
+    raw.lights.push_back({.type = LightType::Point,
+                          .name = "lamp",
+                          .position = {100, 400, 100},
+                          .emission = glm::dvec3(90000.0, 60000.0, 30000.0)});
+    const Image reference = render(normalise(RawScene(raw)), pictureSettings());
+    for (const int exponent : {1, -60, 60}) {
+        const double scale = std::ldexp(1.0, exponent);
+        RawScene scaled = raw;
+        for (RawVertex& vertex : scaled.vertices) vertex.position *= scale;
+        for (RawCamera& camera : scaled.cameras) camera.origin *= scale;
+        for (RawLight& light : scaled.lights) {
+            light.position *= scale;
+            light.emission *= scale * scale;
+        }
+        EXPECT_TRUE(sameBits(render(normalise(std::move(scaled)), pictureSettings()), reference)) << exponent;
+    }
+}
+
+TEST_F(Determinism, WhatThePlanLeavesOutDoesNotShow) {
+    Scene flat = unevenBox();
+    Scene textured = everyKindOfLight();
+    for (const Scene& scene : {cornellBox(), flat, textured}) {
+        for (const Technique technique : {Technique::Deferred, Technique::Forward}) {
+            RenderSettings settings = pictureSettings();
+            settings.technique = technique;
+            const Image planned = render(scene, settings);
+            settings.plan = false;
+            EXPECT_TRUE(sameBits(render(scene, settings), planned)) << name(technique);
+        }
+    }
+}
+
+TEST_F(Determinism, TheNumberOfThreadsDoesNotShow) {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "manylight_threads_test";
+    std::filesystem::create_directories(folder);
+    std::vector<Image> pictures;
+    for (const char* threads : {"1", "2", "4"}) {
+        const std::string picture = (folder / threads).string() + ".exr";
+        const std::string command = std::string("LP_NUM_THREADS=") + threads + " '" + MANYLIGHT_BINARY_DIR +
+                                    "/bin/manylight-capture' '" + MANYLIGHT_SOURCE_DIR +
+                                    "/scenes/cornell_box.json' -o '" + picture +
+                                    "' --size 48x36 --vpls 100 --frames 2 --seed 5 > /dev/null 2>&1";
+        ASSERT_EQ(std::system(command.c_str()), 0) << command;
+        pictures.push_back(readExr(picture));
+    }
+    std::filesystem::remove_all(folder);
+    EXPECT_GT(meanOf(pictures[0]), 0.0);
+    EXPECT_TRUE(sameBits(pictures[0], pictures[1]));
+    EXPECT_TRUE(sameBits(pictures[0], pictures[2]));
+}
+
+}  // namespace
+}  // namespace manylight::test

@@ -1,0 +1,191 @@
+// Direct light against closed forms, at the points that the G-buffer says the pixels show.
+#include "engine/techniques/gbuffer_capture.h"
+#include "shaders/shared/constants.h"
+#include "tests/gpu/gpu_test.h"
+#include "tests/gpu/test_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace manylight::test {
+namespace {
+
+constexpr double kPi = shared::kPi;
+constexpr float kAlbedo = 0.5f;
+
+GBufferImage gbufferOf(const Scene& scene, const RenderSettings& settings) {
+    Renderer renderer(device(), scene, settings);
+    return captureGBuffer(renderer, scene);
+}
+
+/// Every pixel shows the floor, and its radiance is albedo / pi times `irradiance` of its point, in red.
+void expectIrradiance(const Scene& scene, const std::function<double(glm::dvec3)>& irradiance,
+                      double tolerance = 1e-5) {
+    for (const bool shadows : {false, true}) {
+        RenderSettings settings = plainSettings();
+        settings.castShadows = shadows;
+        const Image image = render(scene, settings);
+        const GBufferImage gbuffer = gbufferOf(scene, settings);
+        for (size_t i = 0; i < gbuffer.texels.size(); ++i) {
+            ASSERT_TRUE(gbuffer.texels[i].isSurface);
+            const double expected = double{kAlbedo} / kPi * irradiance(gbuffer.texels[i].position);
+            ASSERT_NEAR(double{image.texels[3 * i]}, expected, tolerance * expected) << "pixel " << i << shadows;
+        }
+    }
+}
+
+/// Irradiance on an upward plane from a polygon of radiance 1, its corners clockwise seen from below (Lambert 1760).
+double irradianceOfPolygon(glm::dvec3 point, const std::vector<glm::dvec3>& corners) {
+    double sum = 0.0;
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 a = glm::normalize(corners[i] - point);
+        const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()] - point);
+        sum += std::acos(glm::dot(a, b)) * glm::normalize(glm::cross(a, b)).y;
+    }
+    return 0.5 * std::abs(sum);
+}
+
+using DirectLight = GpuTest;
+
+TEST_F(DirectLight, PointOverAPlane) {
+    Scene scene = floorFromAbove(kAlbedo);
+    const glm::vec3 lamp(0.1f, 0.25f, -0.2f);
+    scene.lights.push_back(pointLight(lamp, {0.7f, 0.2f, 0.1f}));
+    expectIrradiance(scene, [&](glm::dvec3 x) {
+        const glm::dvec3 d = glm::dvec3(lamp) - x;
+        return double{0.7f} * d.y / std::pow(glm::dot(d, d), 1.5);
+    });
+}
+
+TEST_F(DirectLight, SpotOverAPlane) {
+    Scene scene = floorFromAbove(kAlbedo);
+    const glm::dvec3 lamp(0.05, 0.4, -0.1);
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(0.2, -1.0, 0.1));
+    const double beam = 0.2;
+    const double cutoff = 0.5;
+    scene.lights.push_back(spotLight(glm::vec3(lamp), glm::vec3(axis), glm::vec3(2.0f), 0.2f, 0.5f));
+    RenderSettings settings = plainSettings(64, 48);
+    const Image image = render(scene, settings);
+    const GBufferImage gbuffer = gbufferOf(scene, settings);
+    size_t inBeam = 0;
+    size_t inRamp = 0;
+    size_t outside = 0;
+    for (size_t i = 0; i < gbuffer.texels.size(); ++i) {
+        const glm::dvec3 d = lamp - glm::dvec3(gbuffer.texels[i].position);
+        const double angle = std::acos(glm::dot(-glm::normalize(d), axis));
+        const double share = std::clamp((cutoff - angle) / (cutoff - beam), 0.0, 1.0);
+        const double full = double{kAlbedo} / kPi * 2.0 * d.y / std::pow(glm::dot(d, d), 1.5);
+        // The ramp is 0.3 rad wide, and an angle from acos() in single precision is good to about 1e-6.
+        ASSERT_NEAR(double{image.texels[3 * i]}, full * share, full * 2e-5) << "angle " << angle;
+        if (angle < beam - 1e-3) ++inBeam;
+        else if (angle < cutoff) ++inRamp;
+        else if (angle > cutoff + 1e-3) ++outside, ASSERT_EQ(image.texels[3 * i], 0.0f);
+    }
+    EXPECT_GT(inBeam, 100u);
+    EXPECT_GT(inRamp, 100u);
+    EXPECT_GT(outside, 100u);
+}
+
+TEST_F(DirectLight, DirectionalOnAPlane) {
+    Scene scene = floorFromAbove(kAlbedo);
+    scene.lights.push_back(directionalLight({1, -2, 2}, glm::vec3(3.0f)));
+    expectIrradiance(scene, [](glm::dvec3) { return 3.0 * 2.0 / 3.0; });
+}
+
+TEST_F(DirectLight, LightFromBelowDoesNotPass) {
+    Scene scene = floorFromAbove(kAlbedo);
+    scene.lights = {directionalLight({0, 1, 0.1f}, glm::vec3(3.0f)), pointLight({0, -0.2f, 0}, glm::vec3(1.0f))};
+    EXPECT_EQ(largestOf(render(scene, plainSettings())), 0.0);
+}
+
+TEST_F(DirectLight, SkyOverAPlane) {
+    Scene scene = floorFromAbove(kAlbedo);
+    scene.lights.push_back(constantLight(glm::vec3(2.0f)));
+    RenderSettings settings = plainSettings(8, 8);
+    settings.castShadows = true;
+    settings.lightSampleCount = 256;
+    std::vector<double> means;
+    forEachSeed(scene, settings, 16, [&](Renderer& renderer) { means.push_back(meanOf(renderer.radiance())); });
+    expectMean(means, double{kAlbedo} * 2.0, 0.01);  // irradiance pi L
+}
+
+TEST_F(DirectLight, RectangleOverAPlane) {
+    Scene scene = floorFromAbove(kAlbedo);
+    addQuad(scene, {-0.3f, 0.3f, -0.1f}, {0.4f, 0, 0}, {0, 0, 0.3f}, addMaterial(scene, glm::vec3(0.0f), glm::vec3(1.0f)));
+    scene.cameras.clear();
+    addCamera(scene, {0.2f, 0.25f, 0.3f}, {-0.1f, 0.0f, -0.1f}, 0.7f);
+    const std::vector<glm::dvec3> corners = {
+        {-0.3, 0.3, -0.1}, {0.1, 0.3, -0.1}, {0.1, 0.3, 0.2}, {-0.3, 0.3, 0.2}};
+    RenderSettings settings = plainSettings(12, 8);
+    settings.castShadows = true;
+    settings.lightSampleCount = 64;
+    const GBufferImage gbuffer = gbufferOf(scene, settings);
+    std::vector<std::vector<double>> pixels(gbuffer.texels.size());
+    forEachSeed(scene, settings, 16, [&](Renderer& renderer) {
+        const Image image = renderer.radiance();
+        for (size_t i = 0; i < pixels.size(); ++i) pixels[i].push_back(double{image.texels[3 * i]});
+    });
+    size_t tested = 0;
+    for (size_t i = 0; i < pixels.size(); i += 7) {
+        if (!gbuffer.texels[i].isSurface || gbuffer.texels[i].position.y != 0.0f) continue;
+        const double irradiance = irradianceOfPolygon(gbuffer.texels[i].position, corners);
+        expectMean(pixels[i], double{kAlbedo} / kPi * irradiance, 0.01);
+        ++tested;
+    }
+    EXPECT_GE(tested, 8u);
+}
+
+TEST_F(DirectLight, FormFactorOfParallelUnitSquares) {
+    // Squares of side 0.5 at distance 0.5: F = 0.199825 (Howell C-11); irradiance averaged over one is F pi L.
+    Scene scene;
+    addQuad(scene, {-0.25f, 0, -0.25f}, {0, 0, 0.5f}, {0.5f, 0, 0}, addMaterial(scene, glm::vec3(1.0f)));
+    addQuad(scene, {-0.25f, 0.5f, -0.25f}, {0.5f, 0, 0}, {0, 0, 0.5f},
+            addMaterial(scene, glm::vec3(0.0f), glm::vec3(1.0f)));
+    addQuad(scene, {-0.4f, -0.3f, 0}, {0.8f, 0, 0}, {0, 0, 0.1f}, addMaterial(scene, glm::vec3(0.0f)));  // for the bounds
+    // Straight down from just below the lamp: the floor fills the picture, and every pixel has the same footprint.
+    addCamera(scene, {0, 0.4999f, 0}, {0, 0, 0}, 2.0f * std::atan(0.25f / 0.4999f));
+    scene = finished(std::move(scene));
+    RenderSettings settings = plainSettings(32, 32);
+    settings.castShadows = true;
+    settings.lightSampleCount = 256;
+    std::vector<double> means;
+    forEachSeed(scene, settings, 16, [&](Renderer& renderer) { means.push_back(meanOf(renderer.radiance())); });
+    // Pixel centres are a midpoint rule over the square: good to a few parts in 32^2.
+    expectMean(means, 0.199825, 1e-3);
+}
+
+TEST_F(DirectLight, EmissionShowsOnTheFrontOnly) {
+    Scene scene;
+    addQuad(scene, {-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}, addMaterial(scene, glm::vec3(0.5f), {3, 2, 1}));
+    addCamera(scene, {0, 0, 0.5f}, {0, 0, 0}, 0.8f);
+    addCamera(scene, {0, 0, -0.5f}, {0, 0, 0}, 0.8f);
+    scene = finished(std::move(scene));
+    for (const Technique technique : {Technique::Deferred, Technique::Forward, Technique::ForwardPrepass}) {
+        RenderSettings settings = plainSettings(8, 8);
+        settings.technique = technique;
+        const Image front = render(scene, settings);
+        for (size_t i = 0; i < front.texels.size(); ++i) ASSERT_EQ(front.texels[i], 3.0f - static_cast<float>(i % 3));
+        settings.camera = 1;
+        EXPECT_EQ(largestOf(render(scene, settings)), 0.0);
+    }
+}
+
+TEST_F(DirectLight, AnEmitterLightsNothingBehindIt) {
+    Scene scene = floorFromAbove(kAlbedo);
+    const uint32_t lamp = addMaterial(scene, glm::vec3(0.0f), glm::vec3(5.0f));
+    addQuad(scene, {-0.1f, 0.1f, -0.1f}, {0, 0, 0.2f}, {0.2f, 0, 0}, lamp);  // shines upwards
+    RenderSettings settings = plainSettings();
+    const Image image = render(scene, settings);
+    const GBufferImage gbuffer = gbufferOf(scene, settings);
+    size_t floorPixels = 0;
+    for (size_t i = 0; i < gbuffer.texels.size(); ++i) {
+        const bool isLamp = gbuffer.texels[i].material == lamp;
+        ASSERT_EQ(image.texels[3 * i], isLamp ? 5.0f : 0.0f) << i;
+        floorPixels += isLamp ? 0 : 1;
+    }
+    EXPECT_GT(floorPixels, 100u);
+    EXPECT_LT(floorPixels, gbuffer.texels.size());
+}
+
+}  // namespace
+}  // namespace manylight::test

@@ -1,0 +1,96 @@
+#include "tests/gpu/gpu_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <numeric>
+
+namespace manylight::test {
+namespace {
+
+/// Gives the device back before the Vulkan loader goes away with the other globals.
+class DeviceOfProcess : public ::testing::Environment {
+  public:
+    void TearDown() override { device_.reset(); }
+    gpu::Device& device() {
+        if (!device_) device_ = std::make_unique<gpu::Device>(gpu::DeviceOptions{{}, gpu::Validation::Sync});
+        return *device_;
+    }
+
+  private:
+    std::unique_ptr<gpu::Device> device_;
+};
+
+DeviceOfProcess* const deviceOfProcess = [] {
+    auto* environment = new DeviceOfProcess;  // GoogleTest owns it
+    ::testing::AddGlobalTestEnvironment(environment);
+    return environment;
+}();
+
+}  // namespace
+
+gpu::Device& device() { return deviceOfProcess->device(); }
+
+RenderSettings plainSettings(uint32_t width, uint32_t height) {
+    RenderSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.vplCount = 0;
+    settings.bounceCount = 0;
+    settings.russianRoulette = false;
+    settings.castShadows = false;
+    return settings;
+}
+
+Image render(const Scene& scene, const RenderSettings& settings, uint32_t frames) {
+    Renderer renderer(device(), scene, settings);
+    for (uint32_t i = 0; i < frames; ++i) renderer.renderFrame();
+    return renderer.radiance();
+}
+
+VplList renderVpls(const Scene& scene, const RenderSettings& settings) {
+    Renderer renderer(device(), scene, settings);
+    renderer.keepVpls();
+    renderer.renderFrame();
+    return {renderer.vpls(), renderer.status()};
+}
+
+double meanOf(const Image& image) {
+    return std::accumulate(image.texels.begin(), image.texels.end(), 0.0) / static_cast<double>(image.texels.size());
+}
+
+double largestOf(const Image& image) { return double{*std::max_element(image.texels.begin(), image.texels.end())}; }
+
+bool sameBits(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height && a.texels.size() == b.texels.size() &&
+           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
+}
+
+bool sameBits(const std::vector<shared::LightData>& a, const std::vector<shared::LightData>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(shared::LightData)) == 0;
+}
+
+void forEachSeed(const Scene& scene, RenderSettings settings, uint32_t seeds,
+                 const std::function<void(Renderer&)>& use) {
+    Renderer renderer(device(), scene, settings);
+    renderer.keepVpls();
+    for (settings.seed = 0; settings.seed < seeds; ++settings.seed) {
+        renderer.restart(settings);
+        renderer.renderFrame();
+        use(renderer);
+    }
+}
+
+void expectMean(const std::vector<double>& samples, double expected, double largestError) {
+    const auto count = static_cast<double>(samples.size());
+    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
+    double squares = 0.0;
+    for (const double sample : samples) squares += (sample - mean) * (sample - mean);
+    // Rounding alone may leave an error where the samples hardly differ.
+    const double error = std::max(std::sqrt(squares / (count * (count - 1.0))), 2e-6 * std::abs(expected));
+    EXPECT_LT(error, largestError) << "the samples scatter too much to say anything; their mean is " << mean;
+    EXPECT_LT(std::abs(mean - expected), 5.0 * error) << "mean " << mean << " +- " << error << ", expected " << expected;
+}
+
+}  // namespace manylight::test

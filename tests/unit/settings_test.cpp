@@ -1,0 +1,98 @@
+#include "engine/core/error.h"
+#include "engine/scene/scene_plan.h"
+#include "engine/techniques/gather_tuner.h"
+#include "engine/techniques/settings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace manylight {
+namespace {
+
+using testing::HasSubstr;
+
+std::string messageOf(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Settings, EveryOptionIsAppliedFromText) {
+    RenderSettings settings;
+    applySetting(settings, "technique", "forward-prepass");
+    applySetting(settings, "size", "17x5");
+    applySetting(settings, "shadows", "off");
+    applySetting(settings, "vpls", "0");
+    applySetting(settings, "bounces", "-1");
+    applySetting(settings, "exposure", "-1.5");
+    EXPECT_EQ(settings.technique, Technique::ForwardPrepass);
+    EXPECT_EQ(settings.width, 17u);
+    EXPECT_EQ(settings.height, 5u);
+    EXPECT_FALSE(settings.castShadows);
+    EXPECT_EQ(settings.vplCount, 0u);
+    EXPECT_EQ(settings.bounceCount, -1);
+    EXPECT_EQ(settings.exposure, -1.5f);
+}
+
+TEST(Settings, ErrorsNameOptionValueAndWhatWasExpected) {
+    RenderSettings settings;
+    EXPECT_EQ(messageOf([&] { applySetting(settings, "technique", "warp"); }),
+              "--technique warp: expected one of deferred, forward, forward-prepass");
+    for (const char* size : {"5", "5x", "x5", "0x5", "-1x5", "5x5x5", "99999999999x1"})
+        EXPECT_THAT(messageOf([&] { applySetting(settings, "size", size); }), HasSubstr("--size")) << size;
+    for (const char* count : {"", "-1", "1.5", "1e3", "nan", "99999999999999999999"})
+        EXPECT_THAT(messageOf([&] { applySetting(settings, "vpls", count); }), HasSubstr("--vpls")) << count;
+    EXPECT_THAT(messageOf([&] { applySetting(settings, "exposure", "nan"); }), HasSubstr("--exposure nan"));
+    EXPECT_THAT(messageOf([&] { applySetting(settings, "nonsense", "1"); }), HasSubstr("no such setting"));
+}
+
+TEST(Settings, SidecarSettingsAreTheSameOptionsAndErrorsNameThePlace) {
+    RenderSettings settings;
+    applySettings(settings, Json::parse(R"({"vpls": 32, "shadows": false, "technique": "forward"})"), "a.json: settings");
+    EXPECT_EQ(settings.vplCount, 32u);
+    EXPECT_FALSE(settings.castShadows);
+    EXPECT_EQ(settings.technique, Technique::Forward);
+    EXPECT_THAT(messageOf([&] { applySettings(settings, Json::parse(R"({"vpls": "many"})"), "a.json: settings"); }),
+                HasSubstr("a.json: settings.vpls: vpls many: expected a whole number"));
+}
+
+TEST(ScenePlan, LeavesOutWhatNoTriangleUsesAndSaysWhy) {
+    Scene scene;
+    scene.vertices.resize(3);
+    scene.triangles = {{{0, 1, 2}, 0}};
+    scene.materials.resize(2);
+    scene.materials[1].albedoTexture = 0;  // used by no triangle
+    const ScenePlan plan = planScene(scene);
+    EXPECT_FALSE(plan.textured);
+    EXPECT_FALSE(plan.shadingNormals);
+    EXPECT_FALSE(plan.areaLights);
+    EXPECT_FALSE(plan.lightPaths);
+    for (const PlanDecision& decision : plan.decisions) EXPECT_FALSE(decision.reason.empty()) << decision.what;
+
+    scene.triangles[0].material = 1;
+    scene.vertices[2].normal = {0, 1, 0};
+    scene.lights.resize(1);
+    const ScenePlan needed = planScene(scene);
+    EXPECT_TRUE(needed.textured);
+    EXPECT_TRUE(needed.shadingNormals);
+    EXPECT_TRUE(needed.lightPaths);
+}
+
+TEST(GatherTuner, TriesEachCandidateTwiceAndKeepsTheFastestSecondRun) {
+    GatherTuner tuner;
+    std::vector<uint32_t> tried;
+    for (int run = 0; !tuner.isDone(); ++run) {
+        ASSERT_LT(run, 10);
+        tried.push_back(tuner.pixelsPerInvocation());
+        // First runs are slow (they compile), and misleadingly ordered.
+        tuner.report(run < 3 ? 100.0 - run : tuner.pixelsPerInvocation() == 8 ? 1.0 : 2.0);
+    }
+    EXPECT_EQ(tried.size(), 6u);
+    EXPECT_EQ(tuner.pixelsPerInvocation(), 8u);
+}
+
+}  // namespace
+}  // namespace manylight
