@@ -1,6 +1,7 @@
 #include "engine/gpu/pipeline.h"
 
 #include "engine/core/check.h"
+#include "engine/gpu/graphics_state.h"
 #include "engine/gpu/pipeline_cache.h"
 #include "engine/gpu/shader.h"
 
@@ -109,72 +110,10 @@ Pipeline PipelineLibrary::makeGraphics(const GraphicsKey& key) {
     if (!key.fragmentShader.empty())
         stages.push_back(stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, moduleFor(key.fragmentShader), specialisation));
 
-    const VkVertexInputBindingDescription corner{0, 16, VK_VERTEX_INPUT_RATE_VERTEX};
-    const VkVertexInputAttributeDescription position{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0};
-    VkPipelineVertexInputStateCreateInfo vertexInput{};
-    vertexInput.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-    vertexInput.vertexBindingDescriptionCount = key.triangleRecords ? 1 : 0;
-    vertexInput.pVertexBindingDescriptions = &corner;
-    vertexInput.vertexAttributeDescriptionCount = key.triangleRecords ? 1 : 0;
-    vertexInput.pVertexAttributeDescriptions = &position;
-
-    VkPipelineInputAssemblyStateCreateInfo assembly{};
-    assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-    assembly.topology = key.topology;
-    VkPipelineViewportStateCreateInfo viewport{};
-    viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
-    viewport.viewportCount = 1;
-    viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster{};
-    raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
-    raster.cullMode = VK_CULL_MODE_NONE;  // every surface reflects on both sides
-    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
-    raster.lineWidth = 1.0f;
-    VkPipelineMultisampleStateCreateInfo multisample{};
-    multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
-    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-    VkPipelineDepthStencilStateCreateInfo depth{};
-    depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-    depth.depthTestEnable = key.depthFormat != VK_FORMAT_UNDEFINED;
-    depth.depthWriteEnable = key.depthWrite;
-    depth.depthCompareOp = key.depthCompare;
-
-    VkPipelineColorBlendAttachmentState target{};
-    target.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
-                            VK_COLOR_COMPONENT_A_BIT;
-    target.blendEnable = key.additiveBlend;
-    target.srcColorBlendFactor = target.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
-    target.srcAlphaBlendFactor = target.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-    const std::vector<VkPipelineColorBlendAttachmentState> targets(key.colorFormats.size(), target);
-    VkPipelineColorBlendStateCreateInfo blend{};
-    blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
-    blend.attachmentCount = static_cast<uint32_t>(targets.size());
-    blend.pAttachments = targets.data();
-
-    const VkDynamicState dynamicStates[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
-    VkPipelineDynamicStateCreateInfo dynamic{};
-    dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
-    dynamic.dynamicStateCount = 2;
-    dynamic.pDynamicStates = dynamicStates;
-    VkPipelineRenderingCreateInfo rendering{};
-    rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
-    rendering.colorAttachmentCount = static_cast<uint32_t>(key.colorFormats.size());
-    rendering.pColorAttachmentFormats = key.colorFormats.data();
-    rendering.depthAttachmentFormat = key.depthFormat;
-
-    VkGraphicsPipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
-    info.pNext = &rendering;
+    const GraphicsState state(key);
+    VkGraphicsPipelineCreateInfo info = state.createInfo();
     info.stageCount = static_cast<uint32_t>(stages.size());
     info.pStages = stages.data();
-    info.pVertexInputState = &vertexInput;
-    info.pInputAssemblyState = &assembly;
-    info.pViewportState = &viewport;
-    info.pRasterizationState = &raster;
-    info.pMultisampleState = &multisample;
-    info.pDepthStencilState = &depth;
-    info.pColorBlendState = &blend;
-    info.pDynamicState = &dynamic;
     info.layout = layoutFor(key.bindings);
     Pipeline pipeline{VK_NULL_HANDLE, info.layout};
     const std::string name = key.fragmentShader.empty() ? key.vertexShader : key.fragmentShader;

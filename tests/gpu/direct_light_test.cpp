@@ -77,9 +77,12 @@ TEST_F(DirectLight, SpotOverAPlane) {
         const double full = double{kAlbedo} / kPi * 2.0 * d.y / std::pow(glm::dot(d, d), 1.5);
         // The ramp is 0.3 rad wide, and an angle from acos() in single precision is good to about 1e-6.
         ASSERT_NEAR(double{image.texels[3 * i]}, full * share, full * 2e-5) << "angle " << angle;
-        if (angle < beam - 1e-3) ++inBeam;
-        else if (angle < cutoff) ++inRamp;
-        else if (angle > cutoff + 1e-3) ++outside, ASSERT_EQ(image.texels[3 * i], 0.0f);
+        inBeam += angle < beam ? 1 : 0;
+        inRamp += angle > beam && angle < cutoff ? 1 : 0;
+        if (angle > cutoff + 1e-5) {
+            ++outside;
+            ASSERT_EQ(image.texels[3 * i], 0.0f);
+        }
     }
     EXPECT_GT(inBeam, 100u);
     EXPECT_GT(inRamp, 100u);

@@ -40,8 +40,12 @@ TEST_F(Shadows, AnOccluderBlocksAndItsSurroundingsAreLit) {
         if (!texel.isSurface || texel.material == card) continue;
         // The card at half the lamp's height throws a shadow twice its size; the rim is left to rounding.
         const float reach = std::max(std::abs(texel.position.x), std::abs(texel.position.z));
-        if (reach < 0.2f - 1e-4f) ++dark, ASSERT_EQ(shadowed.texels[3 * i], 0.0f) << i;
-        if (reach > 0.2f + 1e-4f) ASSERT_EQ(shadowed.texels[3 * i], lit.texels[3 * i]) << i;
+        if (reach < 0.2f - 1e-4f) {
+            ++dark;
+            ASSERT_EQ(shadowed.texels[3 * i], 0.0f) << i;
+        } else if (reach > 0.2f + 1e-4f) {
+            ASSERT_EQ(shadowed.texels[3 * i], lit.texels[3 * i]) << i;
+        }
     }
     EXPECT_GT(dark, 100u);
     EXPECT_LT(dark, gbuffer.texels.size() / 2);

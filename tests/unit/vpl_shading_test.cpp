@@ -115,7 +115,9 @@ TEST(VplShading, ClosePairsStayFinite) {
         const glm::vec3 e = shared::irradianceOfVpl(receiver, surfaceLight({0, d, 0}, -normal, 1e-3f), kNoBound);
         ASSERT_TRUE(std::isfinite(e.x)) << exponent;
         ASSERT_GE(e.x, 0.0f);
-        if (exponent > -45) ASSERT_NEAR(e.x * d * d / 1e-3f, 1.0f, 1e-5f) << exponent;
+        if (exponent > -45) {
+            ASSERT_NEAR(e.x * d * d / 1e-3f, 1.0f, 1e-5f) << exponent;
+        }
     }
 }
 

@@ -1,0 +1,110 @@
+// The structs that both languages compile lie in memory alike: offsets and strides from the SPIR-V against C++.
+#include "engine/gpu/shader.h"
+#include "shaders/shared/frame.h"
+#include "shaders/shared/lights.h"
+#include "shaders/shared/material.h"
+#include "shaders/shared/show.h"
+#include "shaders/shared/tonemap.h"
+#include "shaders/shared/vpl_emission.h"
+#include "shaders/shared/vpl_light.h"
+#include "tests/unit/spirv_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <set>
+
+namespace manylight {
+namespace {
+
+using Offsets = std::map<std::string, uint32_t>;
+
+struct ExpectedStruct {
+    Offsets offsets;
+    uint32_t size;
+};
+
+#define MEMBER(type, member) {#member, static_cast<uint32_t>(offsetof(shared::type, member))}
+
+const std::map<std::string, ExpectedStruct> kStructs = {
+    {"FrameConstants",
+     {{MEMBER(FrameConstants, clipFromWorld), MEMBER(FrameConstants, cameraPosition), MEMBER(FrameConstants, seed),
+       MEMBER(FrameConstants, cameraRight), MEMBER(FrameConstants, frame), MEMBER(FrameConstants, cameraDown),
+       MEMBER(FrameConstants, emitterCount), MEMBER(FrameConstants, cameraForward),
+       MEMBER(FrameConstants, deltaLightCount), MEMBER(FrameConstants, imageSize), MEMBER(FrameConstants, pixelOffset),
+       MEMBER(FrameConstants, sceneCenter), MEMBER(FrameConstants, sceneRadius),
+       MEMBER(FrameConstants, environmentRadiance), MEMBER(FrameConstants, geometryBound),
+       MEMBER(FrameConstants, pathCount), MEMBER(FrameConstants, vplCount), MEMBER(FrameConstants, lightSampleCount),
+       MEMBER(FrameConstants, triangleCount)},
+      sizeof(shared::FrameConstants)}},
+    {"LightData",
+     {{MEMBER(LightData, position), MEMBER(LightData, intensity), MEMBER(LightData, direction), MEMBER(LightData, kind),
+       MEMBER(LightData, colour), MEMBER(LightData, cosCutoff), MEMBER(LightData, cosBeam), MEMBER(LightData, depth),
+       MEMBER(LightData, pathIndex), MEMBER(LightData, unused)},
+      sizeof(shared::LightData)}},
+    {"Ray",
+     {{MEMBER(Ray, origin), MEMBER(Ray, isAlive), MEMBER(Ray, direction), MEMBER(Ray, depth), MEMBER(Ray, intensity),
+       MEMBER(Ray, unused), MEMBER(Ray, normal), MEMBER(Ray, unused2)},
+      sizeof(shared::Ray)}},
+    {"Emitter",
+     {{MEMBER(Emitter, position), MEMBER(Emitter, kind), MEMBER(Emitter, edge1), MEMBER(Emitter, cumulative),
+       MEMBER(Emitter, edge2), MEMBER(Emitter, probability), MEMBER(Emitter, emission), MEMBER(Emitter, areaCumulative),
+       MEMBER(Emitter, areaProbability), MEMBER(Emitter, cosCutoff), MEMBER(Emitter, cosBeam), MEMBER(Emitter, area)},
+      sizeof(shared::Emitter)}},
+    {"Material",
+     {{MEMBER(Material, albedo), MEMBER(Material, albedoTexture), MEMBER(Material, emittedRadiance),
+       MEMBER(Material, unused)},
+      sizeof(shared::Material)}},
+    {"TextureInfo",
+     {{MEMBER(TextureInfo, firstTexel), MEMBER(TextureInfo, width), MEMBER(TextureInfo, height),
+       MEMBER(TextureInfo, mode)},
+      sizeof(shared::TextureInfo)}},
+    {"FrameStatus",
+     {{MEMBER(FrameStatus, loopBudgetExceeded), MEMBER(FrameStatus, shadingNormalsCapped),
+       MEMBER(FrameStatus, pathsTruncated), MEMBER(FrameStatus, vplsTraced), MEMBER(FrameStatus, vplsShaded)},
+      sizeof(shared::FrameStatus)}},
+    {"EmissionPush",
+     {{MEMBER(EmissionPush, firstPath), MEMBER(EmissionPush, pathCount), MEMBER(EmissionPush, maxDepth),
+       MEMBER(EmissionPush, firstVpl), MEMBER(EmissionPush, vplCount), MEMBER(EmissionPush, paddedVplCount),
+       MEMBER(EmissionPush, russianRoulette)},
+      sizeof(shared::EmissionPush)}},
+    {"ShadePush",
+     {{MEMBER(ShadePush, firstLight), MEMBER(ShadePush, lightCount), MEMBER(ShadePush, firstVpl),
+       MEMBER(ShadePush, vplCount), MEMBER(ShadePush, showEmission)},
+      sizeof(shared::ShadePush)}},
+    {"TonemapPush", {{MEMBER(TonemapPush, scale), MEMBER(TonemapPush, curve)}, sizeof(shared::TonemapPush)}},
+    {"ShowPush", {{MEMBER(ShowPush, channel), MEMBER(ShowPush, depthScale)}, sizeof(shared::ShowPush)}},
+    {"ShowVplsPush",
+     {{MEMBER(ShowVplsPush, radius), MEMBER(ShowVplsPush, brightness)}, sizeof(shared::ShowVplsPush)}},
+};
+
+TEST(StructLayout, ShadersAndCppAgree) {
+    std::set<std::string> seen;
+    for (const std::string_view shader : gpu::shaderNames()) {
+        SCOPED_TRACE(shader);
+        const test::SpirvLayout layout = test::readSpirvLayout(gpu::shaderCode(shader));
+        for (const auto& [name, expected] : kStructs) {
+            const auto found = layout.offsets.find(name);
+            if (found == layout.offsets.end()) continue;
+            seen.insert(name);
+            EXPECT_EQ(found->second, expected.offsets) << name;
+            const auto stride = layout.strides.find(name);
+            if (stride != layout.strides.end()) {
+                EXPECT_EQ(stride->second, expected.size) << name;
+            }
+        }
+    }
+    for (const auto& [name, expected] : kStructs) EXPECT_TRUE(seen.contains(name)) << name << " is in no shader";
+}
+
+TEST(StructLayout, EveryStructInABufferIsKnown) {
+    // A block that only wraps one array or one struct has a single member at offset 0: nothing to disagree about.
+    for (const std::string_view shader : gpu::shaderNames())
+        for (const auto& [name, offsets] : test::readSpirvLayout(gpu::shaderCode(shader)).offsets)
+            if (offsets.size() > 1) {
+                EXPECT_TRUE(kStructs.contains(name)) << name << " of " << shader << " is compared with nothing";
+            }
+}
+
+}  // namespace
+}  // namespace manylight
