@@ -10,7 +10,7 @@ try:
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+    from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 except ImportError as error:
     sys.exit(f"plot_fps.py: matplotlib is missing ({error}): install python3-matplotlib")
 
@@ -26,6 +26,16 @@ GREY = "#555555"
 def cells_of(data, technique, shadows):
     cells = [c for c in data["cells"] if c["technique"] == technique and c["shadows"] == shadows and c["vpls"] > 0]
     return sorted(cells, key=lambda cell: cell["vpls"])
+
+
+def counts_of(data, shadows):
+    return sorted({cell["vpls"] for cell in data["cells"] if cell["shadows"] == shadows and cell["vpls"] > 0})
+
+
+def places_of(data, shadows):
+    """Where the logarithmic axes have their ticks: at our VPL counts, and at the seed paper's where they are drawn."""
+    seed = [] if shadows else [row["vpls"] for row in data["seed_paper"]["rows"]]
+    return sorted({*counts_of(data, shadows), *seed})
 
 
 def plain(value, _=None):
@@ -60,6 +70,8 @@ def draw_fps(axes, data, shadows, vpls):
         draw_seed_fps(axes, data["seed_paper"])
     axes.set_yscale("log")
     style(axes, vpls, "Frames per second")
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_minor_formatter(NullFormatter())
     axes.legend(fontsize=8, frameon=False, loc="lower left")
 
 
@@ -84,9 +96,9 @@ def draw_milliseconds(axes, data, shadows, vpls):
         draw_fit(axes, data, technique, shadows, vpls, colour)
     style(axes, vpls, "Milliseconds per frame, with fitted lines")
     axes.set_xscale("linear")
-    axes.set_xlim(left=0)
+    axes.set_xlim(0, 1.06 * vpls[-1])
     axes.set_ylim(bottom=0)
-    axes.xaxis.set_major_locator(matplotlib.ticker.MaxNLocator(6, integer=True))
+    axes.xaxis.set_major_locator(MaxNLocator(6, integer=True))
     axes.legend(fontsize=8, frameon=False, loc="upper left")
 
 
@@ -118,7 +130,9 @@ def draw_ratios(axes, data, shadows, vpls):
 
 
 def draw(data):
-    modes = [shadows for shadows in (False, True) if any(cell["shadows"] == shadows for cell in data["cells"])]
+    modes = [shadows for shadows in (False, True) if counts_of(data, shadows)]
+    if not modes:
+        raise ValueError("no measurement with a VPL")
     figure = plt.figure(figsize=(13, 4.4 * len(modes) + 0.5), layout="constrained")
     machine = data["machine"]
     figure.suptitle(f"{data['scene']}: {data['triangles']:,} triangles, {data['width']} × {data['height']} pixels\n"
@@ -127,11 +141,11 @@ def draw(data):
     for row, shadows in zip(rows, modes):
         if len(modes) > 1:
             row.suptitle(f"VPLs {'with' if shadows else 'without'} shadows", fontsize=10, color=GREY)
-        vpls = sorted({cell["vpls"] for cell in data["cells"] if cell["shadows"] == shadows and cell["vpls"] > 0})
+        vpls = counts_of(data, shadows)
         left, middle, right = row.subplots(1, 3, width_ratios=[1.25, 1, 1])
-        draw_fps(left, data, shadows, vpls)
+        draw_fps(left, data, shadows, places_of(data, shadows))
         draw_milliseconds(middle, data, shadows, vpls)
-        draw_ratios(right, data, shadows, vpls)
+        draw_ratios(right, data, shadows, places_of(data, shadows))
     return figure
 
 

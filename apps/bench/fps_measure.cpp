@@ -14,6 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
 constexpr double kSlowFrame = 2000.0;            // milliseconds; such frames are warmed up once only
 constexpr uint32_t kMaxShadowedOnSoftware = 90;  // a shadow ray costs a software driver 100 times an unshadowed pair
 
@@ -65,7 +67,7 @@ void addPassTimes(std::vector<PassSamples>& passes, const std::vector<PassTime>&
 double measureFrame(Renderer& renderer, FpsSamples* samples) {
     const auto start = Clock::now();
     const Execution execution = renderer.renderFrame();
-    const double total = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    const double total = 1000.0 * secondsSince(start);
     if (samples != nullptr) {
         samples->wall.push_back(execution.wallMilliseconds);
         samples->host.push_back(total - execution.wallMilliseconds);
@@ -74,6 +76,21 @@ double measureFrame(Renderer& renderer, FpsSamples* samples) {
         addPassTimes(samples->passes, execution.passTimes);
     }
     return execution.wallMilliseconds;
+}
+
+void restartFor(Renderer& renderer, RenderSettings settings, const FpsCell& cell) {
+    settings.technique = cell.technique;
+    settings.castShadows = cell.castShadows;
+    settings.vplCount = cell.vplCount;
+    renderer.restart(settings);
+}
+
+double firstFrameSeconds(Renderer& renderer, const RenderSettings& settings, const std::vector<FpsSamples>& cells) {
+    if (cells.empty()) return 0.0;
+    restartFor(renderer, settings, cells.front().cell);
+    const auto start = Clock::now();
+    renderer.renderFrame();
+    return secondsSince(start);
 }
 
 /// Frames that are not counted: pipelines are compiled and caches filled in them. Slow ones need no repetition.
@@ -86,12 +103,8 @@ void warmUp(Renderer& renderer, const FpsSamples& samples) {
 }
 
 /// One cell's turn in a round.
-void measureCell(Renderer& renderer, RenderSettings settings, const FpsOptions& options, FpsSamples& samples) {
-    settings.technique = samples.cell.technique;
-    settings.castShadows = samples.cell.castShadows;
-    settings.vplCount = samples.cell.vplCount;
-    renderer.restart(settings);
-
+void measureCell(Renderer& renderer, const RenderSettings& settings, const FpsOptions& options, FpsSamples& samples) {
+    restartFor(renderer, settings, samples.cell);
     warmUp(renderer, samples);
     const double milliseconds = 1000.0 * options.secondsPerCell / options.roundCount;
     const uint32_t frames = (options.framesPerCell + options.roundCount - 1) / options.roundCount;
@@ -102,7 +115,9 @@ void measureCell(Renderer& renderer, RenderSettings settings, const FpsOptions& 
 }  // namespace
 
 FpsRun measureFps(const FpsOptions& options) {
+    const auto start = Clock::now();
     const Scene scene = importScene(options.scene);
+    const double importSeconds = secondsSince(start);
     printWarnings(scene.warnings);
     RenderSettings settings = resolveSettings(scene, options.settings);
     settings.show = Show::Picture;
@@ -118,6 +133,8 @@ FpsRun measureFps(const FpsOptions& options) {
 
     Renderer renderer(device, scene, settings);
     run.settings = renderer.settings();
+    run.oneOff = {importSeconds, renderer.startupTimes().bvhBuild, renderer.startupTimes().upload,
+                  firstFrameSeconds(renderer, settings, run.cells)};
     Progress progress("measuring", options.roundCount * run.cells.size());
     for (uint32_t round = 0; round < options.roundCount; ++round) {
         run.calibration.push_back(calibrationMilliseconds());

@@ -29,12 +29,21 @@ struct FpsSamples {
     std::vector<double> vplsShaded;
 };
 
+/// What is paid once, in seconds.
+struct OneOffTimes {
+    double importing = 0.0;
+    double bvhBuild = 0.0;
+    double upload = 0.0;
+    double firstFrame = 0.0;  // of the first cell, with the compilation of its pipelines
+};
+
 struct FpsRun {
     std::string sceneName;
     size_t triangleCount = 0;
     RenderSettings settings;  // resolved; technique, castShadows and vplCount are the cells'
     Json machine;
     bool softwareDevice = false;
+    OneOffTimes oneOff;
     std::vector<uint32_t> shadowedVplCounts;
     std::vector<FpsSamples> cells;    // by shadows, then VPL count, then technique
     std::vector<double> calibration;  // milliseconds: before every round, and after the last

@@ -32,6 +32,9 @@ std::string header(const FpsOptions& options, const FpsRun& run) {
     text +=
         fmt::format("  measured     submit to fence, {} interleaved round(s); a cell has {} frames and {} s at least\n",
                     options.roundCount, options.framesPerCell, options.secondsPerCell);
+    const OneOffTimes& oneOff = run.oneOff;
+    text += fmt::format("  one-off      import {:.3f} s, BVH {:.3f} s, upload {:.3f} s, first frame {:.3f} s\n",
+                        oneOff.importing, oneOff.bvhBuild, oneOff.upload, oneOff.firstFrame);
     const auto [low, high] = std::minmax_element(run.calibration.begin(), run.calibration.end());
     text += fmt::format(
         "  calibration  a C++ loop took {:.1f} ms before, {:.1f} ms after ({:.1f} to {:.1f} in all): "

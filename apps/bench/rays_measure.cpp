@@ -119,7 +119,11 @@ RaysRun measureRays(const RaysOptions& options) {
     RayCaster caster(device, scene, bvh);
     run.memory = caster.gpuScene().report();
 
-    const std::vector<BenchRays> sets = makeBenchRays(scene, scene.cameras[options.camera], size, options.seed);
+    const BenchLights lights = makeBenchLights(device, scene, options.seed);
+    const std::vector<BenchRays> sets =
+        makeBenchRays(scene, scene.cameras[options.camera], size, lights.points, options.seed);
+    run.lightCount = lights.points.size();
+    run.lightsAreVpls = lights.areVpls;
     Progress progress("measuring", sets.size() * (options.repetitions + 1));
     {
         const EmbreeReference robust(scene, true);

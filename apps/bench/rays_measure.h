@@ -39,6 +39,8 @@ struct RaysRun {
     uint32_t width = 0;
     uint32_t height = 0;
     uint32_t threadCount = 0;
+    size_t lightCount = 0;
+    bool lightsAreVpls = false;  // see BenchLights
     Json machine;
     Json memory;  // of the scene on the device; nodes, depth, bytes per triangle
     double buildSeconds = 0.0;

@@ -21,6 +21,9 @@ std::string header(const RaysOptions& options, const RaysRun& run) {
     text += fmt::format("  host         {} threads, Manylight {}; Embree's single-ray queries on {} threads\n",
                         machine["host_threads"].get<int>(), machine["manylight"].get<std::string>(), run.threadCount);
     text += fmt::format("  measured     {} repetitions in turns; ours from submission to fence\n", options.repetitions);
+    text += fmt::format("  lights       {} {}\n", run.lightCount,
+                        run.lightsAreVpls ? "VPLs that the scene's lights leave"
+                                          : "random points of the surfaces: the scene's lights leave no VPLs");
     const auto [low, high] = std::minmax_element(run.calibration.begin(), run.calibration.end());
     text += fmt::format("  calibration  a C++ loop took {:.1f} to {:.1f} ms: the machine's own noise\n", *low, *high);
     text += fmt::format(
@@ -118,6 +121,8 @@ Json raysJson(const RaysOptions& options, const RaysRun& run) {
             {"height", run.height},
             {"camera", options.camera},
             {"seed", options.seed},
+            {"lights", run.lightCount},
+            {"lights_are_vpls", run.lightsAreVpls},
             {"machine", run.machine},
             {"repetitions", options.repetitions},
             {"embree_threads", run.threadCount},

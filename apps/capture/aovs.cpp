@@ -23,20 +23,25 @@ double sceneLength(const Scene& scene) { return std::ldexp(1.0, scene.frame.expo
 
 const std::vector<Channel>& channels() {
     static const std::vector<Channel> list = {
-        {"normal", {"X", "Y", "Z"},
+        {"normal",
+         {"X", "Y", "Z"},
          [](const GBufferTexel& texel, const Scene&, const Camera&) { return glm::dvec3(texel.normal); }},
-        {"albedo", {"R", "G", "B"},
+        {"albedo",
+         {"R", "G", "B"},
          [](const GBufferTexel& texel, const Scene&, const Camera&) { return glm::dvec3(texel.albedo); }},
-        {"depth", {"Z"},
+        {"depth",
+         {"Z"},
          [](const GBufferTexel& texel, const Scene& scene, const Camera& camera) {
              return glm::dvec3(glm::dot(glm::dvec3(texel.position - camera.origin), glm::dvec3(camera.forward)) *
                                sceneLength(scene));
          }},
-        {"position", {"X", "Y", "Z"},
+        {"position",
+         {"X", "Y", "Z"},
          [](const GBufferTexel& texel, const Scene& scene, const Camera&) {
              return scene.frame.center + glm::dvec3(texel.position) * sceneLength(scene);
          }},
-        {"material", {"id"},
+        {"material",
+         {"id"},
          [](const GBufferTexel& texel, const Scene&, const Camera&) { return glm::dvec3(texel.material); }},
     };
     return list;

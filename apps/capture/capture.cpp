@@ -91,7 +91,7 @@ Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& r
               {"upload", renderer.startupTimes().upload},
               {"first_frame", frames.firstFrameSeconds},
               {"frames", frames.seconds}}},
-            {"pass_milliseconds", frames.passes},
+            {"pass_milliseconds_all_frames", frames.passes},
             {"warnings", warnings}};
 }
 

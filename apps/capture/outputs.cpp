@@ -36,8 +36,12 @@ void decodeTexel(const DumpedImage& dump, size_t pixel, float (&rgba)[4]) {
     uint32_t words[4] = {};
     std::memcpy(words, texel, gpu::texelBytes(dump.format));
     switch (dump.format) {
-        case VK_FORMAT_R32G32B32A32_SFLOAT: std::memcpy(rgba, words, sizeof(rgba)); break;
-        case VK_FORMAT_D32_SFLOAT: std::memcpy(rgba, words, sizeof(float)); break;
+        case VK_FORMAT_R32G32B32A32_SFLOAT:
+            std::memcpy(rgba, words, sizeof(rgba));
+            break;
+        case VK_FORMAT_D32_SFLOAT:
+            std::memcpy(rgba, words, sizeof(float));
+            break;
         case VK_FORMAT_R8G8B8A8_UNORM:
             for (int c = 0; c < 4; ++c) rgba[c] = static_cast<float>(words[0] >> (8 * c) & 255u) / 255.0f;
             break;
@@ -70,8 +74,7 @@ void checkOutputs(const CaptureOptions& options) {
         const std::string extension = lowerExtension(output);
         if (extension != ".exr" && extension != ".png")
             failUsage("-o {}: expected a name that ends in .exr or .png", output.string());
-        if (options.sideBySide && extension == ".exr")
-            failUsage("-o {}: --side-by-side makes a PNG", output.string());
+        if (options.sideBySide && extension == ".exr") failUsage("-o {}: --side-by-side makes a PNG", output.string());
         requireWritableFolder(output);
     }
     if (!options.report.empty()) requireWritableFolder(options.report);
@@ -89,8 +92,10 @@ void writeOutputs(const std::vector<fs::path>& outputs, const Image& radiance, c
         attributes["manylight." + key] = value.is_string() ? value.get<std::string>() : value.dump();
     attributes["manylight.report"] = report.dump();
     for (const fs::path& output : outputs) {
-        if (lowerExtension(output) == ".exr") writeExr(output, layers, attributes);
-        else writePng8(output, display.width, display.height, display.rgba);
+        if (lowerExtension(output) == ".exr")
+            writeExr(output, layers, attributes);
+        else
+            writePng8(output, display.width, display.height, display.rgba);
         fmt::print("{}\n", output.string());
     }
 }
@@ -106,6 +111,7 @@ void writeDumps(const CaptureOptions& options, const std::vector<DumpedImage>& d
     if (options.dumpPass.empty()) return;
     if (dumped.empty())
         failUsage("--dump-pass {}: no pass of this name wrote an image (--dump-graph lists them)", options.dumpPass);
+    std::map<std::string, int> written;
     for (const DumpedImage& dump : dumped) {
         Image image(dump.width, dump.height, 4);
         for (size_t pixel = 0; pixel < size_t{dump.width} * dump.height; ++pixel) {
@@ -116,7 +122,10 @@ void writeDumps(const CaptureOptions& options, const std::vector<DumpedImage>& d
         std::string resource = dump.resource;
         std::replace(resource.begin(), resource.end(), ' ', '_');
         fs::path file = options.outputs.front();
-        file.replace_extension(fmt::format(".{}.{}.exr", options.dumpPass, resource));
+        // A pass that runs in several stretches leaves one image each: .1, .2 and so on follow the first.
+        const int earlier = written[resource]++;
+        const std::string stretch = earlier > 0 ? fmt::format(".{}", earlier) : "";
+        file.replace_extension(fmt::format(".{}.{}{}.exr", options.dumpPass, resource, stretch));
         writeExr(file, {{"", {"R", "G", "B", "A"}, image}}, {{"manylight.pass", options.dumpPass}});
         fmt::print("{}\n", file.string());
     }

@@ -22,16 +22,6 @@ uint32_t everySecondBit(uint32_t bits) {
     return result;
 }
 
-shared::RayQuery between(const SurfacePoint& from, const SurfacePoint& to) {
-    const glm::vec3 along = to.position - from.position;
-    const auto towards = [](glm::vec3 normal, glm::vec3 direction) {
-        return glm::dot(normal, direction) < 0.0f ? -normal : normal;
-    };
-    const glm::vec3 start = shared::offsetPoint(from.position, towards(from.normal, along));
-    const glm::vec3 end = shared::offsetPoint(to.position, towards(to.normal, -along));
-    return {start, 1.0f, end - start, 0.0f};
-}
-
 glm::vec3 cosineDirection(const glm::vec3& normal, float u0, float u1) {
     const float radius = std::sqrt(u0);
     const float angle = 2.0f * shared::kPi * u1;
@@ -106,10 +96,20 @@ std::vector<SurfacePoint> randomSurfacePoints(const Scene& scene, uint32_t count
     return points;
 }
 
+shared::RayQuery shadowRay(const SurfacePoint& point, const SurfacePoint& light) {
+    const glm::vec3 along = light.position - point.position;
+    const auto towards = [](glm::vec3 normal, glm::vec3 direction) {
+        return glm::dot(normal, direction) < 0.0f ? -normal : normal;
+    };
+    const glm::vec3 start = shared::offsetPoint(point.position, towards(point.normal, along));
+    const glm::vec3 end = shared::offsetPoint(light.position, towards(light.normal, -along));
+    return {start, 1.0f, end - start, 0.0f};
+}
+
 RaySet coherentShadowRays(const std::vector<SurfacePoint>& points, const SurfacePoint& light) {
     RaySet rays;
     rays.reserve(points.size());
-    for (const SurfacePoint& point : points) rays.push_back(between(point, light));
+    for (const SurfacePoint& point : points) rays.push_back(shadowRay(point, light));
     return rays;
 }
 
@@ -118,7 +118,7 @@ RaySet incoherentShadowRays(const std::vector<SurfacePoint>& points, const std::
     std::mt19937_64 random(seed);
     RaySet rays;
     rays.reserve(points.size());
-    for (const SurfacePoint& point : points) rays.push_back(between(point, lights[random() % lights.size()]));
+    for (const SurfacePoint& point : points) rays.push_back(shadowRay(point, lights[random() % lights.size()]));
     return rays;
 }
 

@@ -30,7 +30,10 @@ std::vector<SurfacePoint> surfacePoints(const Scene& scene, const RaySet& rays);
 /// Points spread uniformly by area over all triangles, on the side of the triangle's normal.
 std::vector<SurfacePoint> randomSurfacePoints(const Scene& scene, uint32_t count, uint64_t seed);
 
-/// All points to one: t runs from 0 to 1 between the ends, both moved off their surfaces; a hit is an occluder.
+/// t runs from 0 to 1 between the ends, both moved off their surfaces; a hit is an occluder.
+shared::RayQuery shadowRay(const SurfacePoint& point, const SurfacePoint& light);
+
+/// All points to one.
 RaySet coherentShadowRays(const std::vector<SurfacePoint>& points, const SurfacePoint& light);
 
 /// Each point to one of `lights`, chosen at random per point.

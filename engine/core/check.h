@@ -34,17 +34,38 @@ struct LeftOperand {
     CheckOutcome compare(bool holds, const char* op, const R& right) const {
         return {holds, holds ? "" : fmt::format("{} {} {}", describeOperand(left), op, describeOperand(right))};
     }
-    template <typename R> CheckOutcome operator==(const R& r) const { return compare(left == r, "==", r); }
-    template <typename R> CheckOutcome operator!=(const R& r) const { return compare(left != r, "!=", r); }
-    template <typename R> CheckOutcome operator<(const R& r) const { return compare(left < r, "<", r); }
-    template <typename R> CheckOutcome operator<=(const R& r) const { return compare(left <= r, "<=", r); }
-    template <typename R> CheckOutcome operator>(const R& r) const { return compare(left > r, ">", r); }
-    template <typename R> CheckOutcome operator>=(const R& r) const { return compare(left >= r, ">=", r); }
+    template <typename R>
+    CheckOutcome operator==(const R& r) const {
+        return compare(left == r, "==", r);
+    }
+    template <typename R>
+    CheckOutcome operator!=(const R& r) const {
+        return compare(left != r, "!=", r);
+    }
+    template <typename R>
+    CheckOutcome operator<(const R& r) const {
+        return compare(left < r, "<", r);
+    }
+    template <typename R>
+    CheckOutcome operator<=(const R& r) const {
+        return compare(left <= r, "<=", r);
+    }
+    template <typename R>
+    CheckOutcome operator>(const R& r) const {
+        return compare(left > r, ">", r);
+    }
+    template <typename R>
+    CheckOutcome operator>=(const R& r) const {
+        return compare(left >= r, ">=", r);
+    }
     operator CheckOutcome() const { return {static_cast<bool>(left), describeOperand(left)}; }
 };
 
 struct Decomposer {
-    template <typename L> LeftOperand<L> operator<<(const L& left) const { return {left}; }
+    template <typename L>
+    LeftOperand<L> operator<<(const L& left) const {
+        return {left};
+    }
 };
 
 [[noreturn]] void failCheck(const char* expression, const CheckOutcome& outcome, const char* file, int line,
@@ -58,10 +79,10 @@ std::string checkContext(fmt::format_string<Args...> format, Args&&... args) {
 
 }  // namespace manylight::detail
 
-#define MANYLIGHT_CHECK(expression, ...)                                                                        \
-    do {                                                                                                        \
-        const ::manylight::detail::CheckOutcome outcome_ = ::manylight::detail::Decomposer() << expression;     \
-        if (!outcome_.holds)                                                                                    \
-            ::manylight::detail::failCheck(#expression, outcome_, __FILE__, __LINE__,                           \
-                                           ::manylight::detail::checkContext(__VA_ARGS__));                     \
+#define MANYLIGHT_CHECK(expression, ...)                                                                    \
+    do {                                                                                                    \
+        const ::manylight::detail::CheckOutcome outcome_ = ::manylight::detail::Decomposer() << expression; \
+        if (!outcome_.holds)                                                                                \
+            ::manylight::detail::failCheck(#expression, outcome_, __FILE__, __LINE__,                       \
+                                           ::manylight::detail::checkContext(__VA_ARGS__));                 \
     } while (false)

@@ -9,7 +9,9 @@
 namespace manylight {
 
 Progress::Progress(std::string label, uint64_t total, bool enabled)
-    : label_(std::move(label)), total_(std::max<uint64_t>(total, 1)), enabled_(enabled && ::isatty(STDERR_FILENO)),
+    : label_(std::move(label)),
+      total_(std::max<uint64_t>(total, 1)),
+      enabled_(enabled && ::isatty(STDERR_FILENO)),
       start_(std::chrono::steady_clock::now()) {
     if (enabled_) draw();
 }

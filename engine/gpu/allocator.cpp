@@ -59,16 +59,14 @@ Allocator::~Allocator() {
 }
 
 uint32_t Allocator::memoryType(uint32_t allowedTypes, MemoryKind kind) const {
-    constexpr VkMemoryPropertyFlags kHost =
-        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    constexpr VkMemoryPropertyFlags kHost = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     const VkMemoryPropertyFlags required = kind == MemoryKind::Device ? 0 : kHost;
     const VkMemoryPropertyFlags preferred = kind == MemoryKind::Device     ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
                                             : kind == MemoryKind::Readback ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT
                                                                            : 0;
     for (const VkMemoryPropertyFlags wanted : {required | preferred, required})
         for (uint32_t type = 0; type < properties_.memoryTypeCount; ++type)
-            if ((allowedTypes >> type & 1u) != 0 &&
-                (properties_.memoryTypes[type].propertyFlags & wanted) == wanted)
+            if ((allowedTypes >> type & 1u) != 0 && (properties_.memoryTypes[type].propertyFlags & wanted) == wanted)
                 return type;
     fail("the device has no memory type for {} resources",
          kind == MemoryKind::Device ? "device-local" : "host-visible");

@@ -39,11 +39,16 @@ std::string lowerCase(std::string text) {
 
 int preference(VkPhysicalDeviceType type) {
     switch (type) {
-        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 0;
-        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 1;
-        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
-        case VK_PHYSICAL_DEVICE_TYPE_OTHER: return 3;
-        default: return 4;
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+            return 0;
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+            return 1;
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+            return 2;
+        case VK_PHYSICAL_DEVICE_TYPE_OTHER:
+            return 3;
+        default:
+            return 4;
     }
 }
 
@@ -66,8 +71,7 @@ Validation validationFromEnvironment() {
 Instance::Instance(Validation validation) : validation_(validation) {
     if (volkInitialize() != VK_SUCCESS)
         fail("no Vulkan loader found (libvulkan.so.1): install your GPU's driver, or mesa-vulkan-drivers");
-    if (volkGetInstanceVersion() < VK_API_VERSION_1_3)
-        fail("the Vulkan loader is older than 1.3: update libvulkan1");
+    if (volkGetInstanceVersion() < VK_API_VERSION_1_3) fail("the Vulkan loader is older than 1.3: update libvulkan1");
 
     const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
                                         .pNext = nullptr,
@@ -108,8 +112,8 @@ Instance::Instance(Validation validation) : validation_(validation) {
     if (validation != Validation::Off) {
         VkDebugUtilsMessengerCreateInfoEXT messenger{};
         messenger.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
-        messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
-                                    VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+        messenger.messageSeverity =
+            VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
         messenger.messageType =
             VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
         messenger.pfnUserCallback = &Instance::onMessage;
@@ -160,9 +164,8 @@ DeviceInfo Instance::choose(const std::string& selector) const {
     const std::vector<DeviceInfo> all = devices();
     if (all.empty()) fail("no Vulkan device found: install your GPU's driver, or mesa-vulkan-drivers (software)");
     if (selector.empty())
-        return *std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-            return preference(a.type) < preference(b.type);
-        });
+        return *std::min_element(all.begin(), all.end(),
+                                 [](const auto& a, const auto& b) { return preference(a.type) < preference(b.type); });
 
     size_t index = 0;
     const auto [end, error] = std::from_chars(selector.data(), selector.data() + selector.size(), index);

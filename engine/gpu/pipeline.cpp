@@ -16,8 +16,7 @@ struct SpecialisationInfo {
     explicit SpecialisationInfo(const Specialisation& values) {
         for (uint32_t i = 0; i < values.size(); ++i)
             entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
-        info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t),
-                values.data()};
+        info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t), values.data()};
     }
 };
 

@@ -17,9 +17,12 @@ std::optional<fs::path> cacheFile(const Device& device) {
     const char* cacheHome = std::getenv("XDG_CACHE_HOME");
     const char* home = std::getenv("HOME");
     fs::path folder;
-    if (cacheHome != nullptr && *cacheHome != '\0') folder = cacheHome;
-    else if (home != nullptr && *home != '\0') folder = fs::path(home) / ".cache";
-    else return std::nullopt;
+    if (cacheHome != nullptr && *cacheHome != '\0')
+        folder = cacheHome;
+    else if (home != nullptr && *home != '\0')
+        folder = fs::path(home) / ".cache";
+    else
+        return std::nullopt;
 
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(device.physicalDevice(), &properties);

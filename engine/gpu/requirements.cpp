@@ -126,8 +126,7 @@ void requireEverything(const DeviceInfo& device) {
         collectMissingFormats(device.handle, missing);
         collectMissingSubgroupOperations(device.handle, missing);
     }
-    if (!missing.empty())
-        fail("device {} cannot run Manylight, it lacks: {}", device.name, fmt::join(missing, ", "));
+    if (!missing.empty()) fail("device {} cannot run Manylight, it lacks: {}", device.name, fmt::join(missing, ", "));
 }
 
 }  // namespace manylight::gpu

@@ -9,11 +9,15 @@ namespace manylight::gpu {
 uint32_t texelBytes(VkFormat format) {
     switch (format) {
         case VK_FORMAT_R32G32B32A32_SFLOAT:
-        case VK_FORMAT_R32G32B32A32_UINT: return 16;
+        case VK_FORMAT_R32G32B32A32_UINT:
+            return 16;
         case VK_FORMAT_R8G8B8A8_UNORM:
         case VK_FORMAT_R32_UINT:
-        case VK_FORMAT_D32_SFLOAT: return 4;
-        default: MANYLIGHT_CHECK(format == VK_FORMAT_UNDEFINED, "texelBytes of an unknown format"); return 0;
+        case VK_FORMAT_D32_SFLOAT:
+            return 4;
+        default:
+            MANYLIGHT_CHECK(format == VK_FORMAT_UNDEFINED, "texelBytes of an unknown format");
+            return 0;
     }
 }
 

@@ -80,15 +80,15 @@ void Uploader::upload(const Buffer& target, std::span<const std::byte> bytes) {
 void Uploader::flush() {
     if (!pending_.empty())
         submitAndWait(device_, "uploading", [&](VkCommandBuffer commands) {
-            for (const Copy& copy : pending_) vkCmdCopyBuffer(commands, staging_.handle(), copy.target, 1, &copy.region);
+            for (const Copy& copy : pending_)
+                vkCmdCopyBuffer(commands, staging_.handle(), copy.target, 1, &copy.region);
         });
     pending_.clear();
     used_ = 0;
 }
 
 std::vector<std::byte> readBuffer(Device& device, const Buffer& source) {
-    const Buffer target(device, "readback",
-                        {source.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::Readback});
+    const Buffer target(device, "readback", {source.size(), VK_BUFFER_USAGE_TRANSFER_DST_BIT, MemoryKind::Readback});
     submitAndWait(device, "reading a buffer back", [&](VkCommandBuffer commands) {
         const VkBufferCopy region{0, 0, source.size()};
         vkCmdCopyBuffer(commands, source.handle(), target.handle(), 1, &region);

@@ -17,8 +17,8 @@ glm::mat4 clipFromWorld(const ViewAxes& view, float near, glm::vec2 shift) {
     const glm::vec3 xShifted = x + shift.x * w;
     const glm::vec3 yShifted = y + shift.y * w;
     const glm::mat4 rows(glm::vec4(xShifted, -glm::dot(xShifted, view.origin)),
-                         glm::vec4(yShifted, -glm::dot(yShifted, view.origin)),
-                         glm::vec4(0.0f, 0.0f, 0.0f, near), glm::vec4(w, -glm::dot(w, view.origin)));
+                         glm::vec4(yShifted, -glm::dot(yShifted, view.origin)), glm::vec4(0.0f, 0.0f, 0.0f, near),
+                         glm::vec4(w, -glm::dot(w, view.origin)));
     return glm::transpose(rows);
 }
 

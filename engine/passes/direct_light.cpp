@@ -24,8 +24,8 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         options.insert(options.end(), {castShadows, 0u, adds});
         pass.execute([options, push, width, height](PassContext& context) {
             context.dispatch({.shader = "direct_light.comp",
-                              .groupWidth = shared::kVplGroupWidth,
-                              .groupHeight = shared::kVplGroupHeight,
+                              .groupWidth = shared::kVplTileWidth,
+                              .groupHeight = shared::kVplTileHeight,
                               .specialisation = options},
                              width, height, push);
         });

@@ -18,8 +18,10 @@ BufferHandle addVplWindow(FrameGraph& graph, BufferHandle vpls, const shared::Sh
     pass.read(vpls, Access::TransferRead);
     window = pass.write(window, Access::TransferWrite);
     pass.execute([vpls, window, push, padded](PassContext& context) {
-        if (push.vplCount == 0) context.fill(window, 0);
-        else context.copy(vpls, push.firstVpl * kVplBytes, padded * kVplBytes, window);
+        if (push.vplCount == 0)
+            context.fill(window, 0);
+        else
+            context.copy(vpls, push.firstVpl * kVplBytes, padded * kVplBytes, window);
     });
     return window;
 }
@@ -41,10 +43,8 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
     gpu::Specialisation constants = surfaceOptions(plan);
     constants.push_back(options.castShadows);
 
-    const uint32_t limit =
-        options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
-    for (shared::ShadePush push :
-         shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission)) {
+    const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
+    for (shared::ShadePush push : shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission)) {
         const bool isFirst = push.firstLight == 0 && push.firstVpl == 0;
         const BufferHandle window = addVplWindow(graph, vpls, push);
         push.firstVpl = 0;
@@ -56,8 +56,10 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
         result.radiance = isFirst ? pass.write(result.radiance, Access::ColorWrite, background(options))
                                   : pass.write(result.radiance, Access::ColorBlend);
         const bool testsOnly = prepass || !isFirst;
-        if (testsOnly) pass.read(result.depth, Access::DepthRead);
-        else result.depth = pass.write(result.depth, Access::DepthWrite, VkClearValue{.depthStencil = {0.0f, 0}});
+        if (testsOnly)
+            pass.read(result.depth, Access::DepthRead);
+        else
+            result.depth = pass.write(result.depth, Access::DepthWrite, VkClearValue{.depthStencil = {0.0f, 0}});
         pass.execute([constants, push, testsOnly, triangleCount](PassContext& context) {
             context.draw({.vertexShader = "geometry.vert",
                           .fragmentShader = "forward.frag",

@@ -52,8 +52,8 @@ ImageHandle addDepthPrepass(FrameGraph& graph, const SceneHandles& scene, uint32
     PassBuilder pass = graph.addPass("depth_prepass");
     readFrame(pass, scene, PipelineKind::Graphics);
     pass.read(scene.triangles, Access::VertexBuffer);
-    const ImageHandle depth = pass.write(graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height}),
-                                         Access::DepthWrite, kFarAway);
+    const ImageHandle depth =
+        pass.write(graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height}), Access::DepthWrite, kFarAway);
     pass.execute([triangleCount](PassContext& context) {
         context.draw({.vertexShader = "geometry.vert", .depthCompare = VK_COMPARE_OP_GREATER}, triangleCount * 3);
     });

@@ -23,7 +23,8 @@ std::vector<shared::Material> packMaterials(const Scene& scene, const ScenePlan&
     std::vector<shared::Material> packed;
     for (const Material& material : scene.materials) {
         const bool textured = plan.textured && material.albedoTexture != kNoTexture;
-        packed.push_back({material.albedo, textured ? static_cast<uint32_t>(material.albedoTexture) : shared::kNoTexture,
+        packed.push_back({material.albedo,
+                          textured ? static_cast<uint32_t>(material.albedoTexture) : shared::kNoTexture,
                           material.emittedRadiance, 0});
     }
     return packed;
@@ -37,8 +38,8 @@ struct TextureData {
 TextureData packTextures(const Scene& scene) {
     TextureData data;
     for (const Texture& texture : scene.textures) {
-        data.infos.push_back({static_cast<uint32_t>(data.texels.size() / 4), texture.width, texture.height,
-                              textureMode(texture)});
+        data.infos.push_back(
+            {static_cast<uint32_t>(data.texels.size() / 4), texture.width, texture.height, textureMode(texture)});
         data.texels.insert(data.texels.end(), texture.rgba.begin(), texture.rgba.end());
     }
     return data;
@@ -56,10 +57,10 @@ class SceneUploader {
         if (texelFormat == VK_FORMAT_UNDEFINED && bytes.size() > device_.limits().maxStorageBufferRange)
             fail("the scene's {} take {} MiB, device {} allows {} MiB in one buffer", name, bytes.size() >> 20,
                  device_.info().name, device_.limits().maxStorageBufferRange >> 20);
-        PhysicalBuffer buffer{gpu::Buffer(device_, name,
-                                          {bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                           gpu::MemoryKind::Device, texelFormat}),
-                              {}};
+        PhysicalBuffer buffer{
+            gpu::Buffer(device_, name,
+                        {bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Device, texelFormat}),
+            {}};
         uploader_.upload(buffer.buffer, bytes);
         return buffer;
     }
@@ -129,12 +130,12 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
 }
 
 Json GpuScene::report() const {
-    return {{"geometry_bytes", geometryBytes},
-            {"geometry_bytes_per_triangle",
-             triangleCount > 0 ? static_cast<double>(geometryBytes) / triangleCount : 0.0},
-            {"scene_bytes", totalBytes},
-            {"bvh_nodes", bvhNodeCount},
-            {"bvh_depth", bvhDepth}};
+    return {
+        {"geometry_bytes", geometryBytes},
+        {"geometry_bytes_per_triangle", triangleCount > 0 ? static_cast<double>(geometryBytes) / triangleCount : 0.0},
+        {"scene_bytes", totalBytes},
+        {"bvh_nodes", bvhNodeCount},
+        {"bvh_depth", bvhDepth}};
 }
 
 SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status) {

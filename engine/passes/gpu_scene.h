@@ -23,11 +23,11 @@ struct GpuScene {
     std::vector<uint32_t> triangleOrder;  // leaf order -> Scene::triangles
     EmitterTable emitterTable;
     BoundingSphere sphere;
-    double surfaceArea = 0.0;     // of all triangles, normalised frame
-    float meanAlbedo = 0.0f;      // area-weighted, largest channel, textures not looked at
-    uint64_t geometryBytes = 0;   // triangles, materials' indices, uvs and BVH
+    double surfaceArea = 0.0;    // of all triangles, normalised frame
+    float meanAlbedo = 0.0f;     // area-weighted, largest channel, textures not looked at
+    uint64_t geometryBytes = 0;  // triangles, materials' indices, uvs and BVH
     uint64_t totalBytes = 0;
-    Json report() const;          // bytes, bytes per triangle, BVH nodes and depth
+    Json report() const;  // bytes, bytes per triangle, BVH nodes and depth
     uint64_t bvhNodeCount = 0;
     uint32_t bvhDepth = 0;
 };

@@ -8,8 +8,8 @@
 
 namespace manylight {
 
-/// Lights first, then VPLs; every stretch has at most `limit` of both together. VPL stretches start at multiples of 8
-/// and cover the padded list's dark entries up to one. There is at least one stretch, and only the first shows emission.
+/// Lights first, then VPLs; every stretch has at most `limit` of both together. VPL stretches start at multiples
+/// of shared::kVplPadding. There is at least one stretch, and only the first shows emission.
 std::vector<shared::ShadePush> shadingStretches(uint32_t lightCount, uint32_t vplCount, uint32_t limit,
                                                 bool showEmission);
 

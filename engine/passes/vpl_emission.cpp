@@ -1,21 +1,36 @@
 #include "engine/passes/vpl_emission.h"
 
+#include "engine/core/check.h"
 #include "engine/passes/surface_options.h"
-#include "engine/passes/vpl_compact.h"
 #include "engine/passes/vpl_bounce.h"
+#include "engine/passes/vpl_compact.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/lights.h"
 #include "shaders/shared/vpl_emission.h"
 #include "shaders/shared/vpl_light.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace manylight {
 namespace {
 
-/// Share of `total` that belongs to paths before `path`: shares of consecutive batches are disjoint and complete.
-uint32_t shareBefore(uint32_t total, uint32_t path, uint32_t pathCount) {
-    return static_cast<uint32_t>(uint64_t{total} * path / pathCount);
+/// What of `total` belongs to the batches before `batch`: shares of consecutive batches are disjoint and complete.
+uint32_t shareBefore(uint32_t total, uint32_t batch, uint32_t batchCount) {
+    return static_cast<uint32_t>(uint64_t{total} * batch / batchCount);
+}
+
+/// Batches of at most kPathsPerBatch paths, and small enough that vpl_compact's product of a batch's vertices and its
+/// entries in the list fits 32 bits. (It multiplies where there are more vertices than entries only.)
+uint32_t countBatches(const VplEmissionOptions& options) {
+    const auto overflows = [&](uint32_t batches) {
+        const uint64_t vertices = uint64_t{options.pathCount / batches + 1} * options.bounceCount;
+        const uint64_t entries = options.vplCount / batches + 1;
+        return entries < vertices && entries * vertices > std::numeric_limits<uint32_t>::max();
+    };
+    uint32_t batches = (options.pathCount + shared::kPathsPerBatch - 1) / shared::kPathsPerBatch;
+    while (overflows(batches)) batches *= 2;
+    return batches;
 }
 
 void emitPaths(FrameGraph& graph, const SceneHandles& scene, PathBuffers& paths, const shared::EmissionPush& push) {
@@ -38,21 +53,24 @@ uint32_t paddedVplCount(uint32_t vplCount) {
 
 BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
                             const VplEmissionOptions& options) {
-    const uint32_t batch = std::min(options.pathCount, shared::kPathsPerBatch);
+    const uint32_t batchCount = countBatches(options);
+    // A batch without an entry in the list would lose its light.
+    MANYLIGHT_CHECK(batchCount <= options.vplCount, "vpl_emission");
+    const uint32_t batch = (options.pathCount + batchCount - 1) / batchCount;
     PathBuffers paths;
     paths.rays = graph.createBuffer("rays", {batch * sizeof(shared::Ray)});
     paths.offsets = graph.createBuffer("path offsets", {(size_t{batch} + 1) * sizeof(uint32_t)});
-    paths.vertices = graph.createBuffer(
-        "path vertices", {size_t{batch} * options.bounceCount * sizeof(shared::LightData)});
-    BufferHandle vpls =
-        graph.createBuffer("VPLs", {size_t{paddedVplCount(options.vplCount)} * sizeof(shared::LightData),
-                                    VK_FORMAT_R32G32B32A32_SFLOAT});
+    paths.vertices =
+        graph.createBuffer("path vertices", {size_t{batch} * options.bounceCount * sizeof(shared::LightData)});
+    BufferHandle vpls = graph.createBuffer(
+        "VPLs", {size_t{paddedVplCount(options.vplCount)} * sizeof(shared::LightData), VK_FORMAT_R32G32B32A32_SFLOAT});
 
-    for (uint32_t first = 0; first < options.pathCount; first += batch) {
-        const uint32_t count = std::min(batch, options.pathCount - first);
-        const uint32_t firstVpl = shareBefore(options.vplCount, first, options.pathCount);
-        const uint32_t endVpl = shareBefore(options.vplCount, first + count, options.pathCount);
-        const bool isLast = first + count == options.pathCount;
+    for (uint32_t b = 0; b < batchCount; ++b) {
+        const uint32_t first = shareBefore(options.pathCount, b, batchCount);
+        const uint32_t count = shareBefore(options.pathCount, b + 1, batchCount) - first;
+        const uint32_t firstVpl = shareBefore(options.vplCount, b, batchCount);
+        const uint32_t endVpl = shareBefore(options.vplCount, b + 1, batchCount);
+        const bool isLast = b + 1 == batchCount;
         const shared::EmissionPush push{
             .firstPath = first,
             .pathCount = count,

@@ -27,8 +27,8 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
         constants.insert(constants.end(), {shadows, options.subgroupSize, adds, pixelsPerThread});
         pass.execute([constants, push, shadows, width, height, pixelsPerThread](PassContext& context) {
             context.dispatch({.shader = shadows ? "vpl_light_shadowed.comp" : "vpl_light.comp",
-                              .groupWidth = shared::kVplGroupWidth,
-                              .groupHeight = shared::kVplGroupHeight,
+                              .groupWidth = shared::kVplTileWidth,
+                              .groupHeight = shared::kVplTileHeight,
                               .specialisation = constants,
                               .fullSubgroups = true},
                              width, (height + pixelsPerThread - 1) / pixelsPerThread, push);

@@ -17,8 +17,8 @@ struct EmitterTable {
     double totalPower = 0.0;                // W in the normalised frame, mean of the channels
 };
 
-/// P = 0.9 * share of power + 0.1 / count: a weak light among strong ones keeps its share of paths (Veach's defensive
-/// mixture). Lights of no power are left out. `sceneRadius`: of the sphere that directional light and
+/// P = 0.9 * share of power + 0.1 / count: a weak light among strong ones keeps its share of paths (Hesterberg 1995's
+/// defensive mixture). Lights of no power are left out. `sceneRadius`: of the sphere that directional light and
 /// the environment must cover.
 EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius);
 

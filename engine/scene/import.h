@@ -1,4 +1,4 @@
-// Opens any scene the engine reads: .obj, .gltf, .glb, a .json sidecar, or a generated scene.
+// Opens any scene the engine reads: .obj, .gltf, .glb or a .json sidecar.
 #pragma once
 
 #include "engine/scene/scene.h"

@@ -11,7 +11,7 @@ namespace {
 bool decide(ScenePlan& plan, bool everything, bool needed, const char* what, const std::string& reason,
             uint64_t savedBytes = 0) {
     const bool leftOut = !needed && !everything;
-    plan.decisions.push_back({what, leftOut, needed ? reason : everything ? "--no-plan" : reason,
+    plan.decisions.push_back({what, leftOut, needed ? reason : everything ? "--plan off" : reason,
                               leftOut ? savedBytes : 0});
     return !leftOut;
 }
@@ -51,7 +51,7 @@ ScenePlan planScene(const Scene& scene, bool everything) {
                              : environment ? "there is an environment"
                                            : "no emissive triangle and no environment");
 
-    // Nothing to trace is nothing to trace: --no-plan cannot bring light into a scene without any.
+    // Nothing to trace is nothing to trace: --plan off cannot bring light into a scene without any.
     const bool paths = !scene.triangles.empty() && (emissive || !scene.lights.empty());
     plan.lightPaths = paths;
     plan.decisions.push_back({"light paths", !paths,

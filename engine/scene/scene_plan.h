@@ -24,7 +24,7 @@ struct ScenePlan {
     std::vector<PlanDecision> decisions;
 };
 
-/// `everything` (--no-plan) leaves nothing out; the picture is the same.
+/// `everything` (--plan off) leaves nothing out; the picture is the same.
 ScenePlan planScene(const Scene& scene, bool everything = false);
 
 /// One line a decision, for --explain.

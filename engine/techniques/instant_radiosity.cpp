@@ -13,12 +13,18 @@ namespace {
 /// Which G-buffer channel is asked for, if any.
 std::optional<uint32_t> channelShown(Show show) {
     switch (show) {
-        case Show::Normal: return shared::kShowNormal;
-        case Show::Albedo: return shared::kShowAlbedo;
-        case Show::Depth: return shared::kShowDepth;
-        case Show::Position: return shared::kShowPosition;
-        case Show::Material: return shared::kShowMaterial;
-        default: return std::nullopt;
+        case Show::Normal:
+            return shared::kShowNormal;
+        case Show::Albedo:
+            return shared::kShowAlbedo;
+        case Show::Depth:
+            return shared::kShowDepth;
+        case Show::Position:
+            return shared::kShowPosition;
+        case Show::Material:
+            return shared::kShowMaterial;
+        default:
+            return std::nullopt;
     }
 }
 
@@ -37,13 +43,15 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
     const LightsOfFrame lights = addLightsOfFrame(graph, scene, inputs);
     std::optional<ImageHandle> radiance;
     if (settings.lighting != Lighting::Global)
-        radiance = addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lights, settings.castShadows, width, height);
+        radiance =
+            addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lights, settings.castShadows, width, height);
     if (lights.vplCount > 0 || !radiance)
         radiance = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls,
                                {.vplCount = lights.vplCount,
                                 .castShadows = settings.castShadows,
                                 .subgroupSize = inputs.subgroupSize,
-                                .pixelsPerInvocation = inputs.pixelsPerInvocation}, radiance, width, height);
+                                .pixelsPerInvocation = inputs.pixelsPerInvocation},
+                               radiance, width, height);
     return {*radiance, gbuffer.depth, lights.list()};
 }
 

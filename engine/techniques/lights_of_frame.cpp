@@ -8,8 +8,8 @@ namespace {
 
 /// A list of dark VPLs, for shaders that want one bound.
 BufferHandle addDarkVpls(FrameGraph& graph) {
-    BufferHandle vpls = graph.createBuffer(
-        "VPLs", {paddedVplCount(1) * sizeof(shared::LightData), VK_FORMAT_R32G32B32A32_SFLOAT});
+    BufferHandle vpls =
+        graph.createBuffer("VPLs", {paddedVplCount(1) * sizeof(shared::LightData), VK_FORMAT_R32G32B32A32_SFLOAT});
     PassBuilder pass = graph.addPass("dark_vpls");
     vpls = pass.write(vpls, Access::TransferWrite);
     pass.execute([vpls](PassContext& context) { context.fill(vpls, 0); });
@@ -27,8 +27,8 @@ LightsOfFrame addLightsOfFrame(FrameGraph& graph, SceneHandles& scene, const Fra
                         settings.bounceCount.value_or(0) > 0;
 
     LightsOfFrame result;
-    result.lights = addLightSamples(graph, scene, local ? table.deltaLightCount : 0,
-                                    samplesAreas ? settings.lightSampleCount : 0);
+    result.lights =
+        addLightSamples(graph, scene, local ? table.deltaLightCount : 0, samplesAreas ? settings.lightSampleCount : 0);
     if (global) {
         result.vplCount = settings.vplCount;
         result.vpls = addVplEmission(graph, scene, inputs.plan,

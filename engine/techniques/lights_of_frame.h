@@ -9,7 +9,7 @@
 namespace manylight {
 
 struct LightsOfFrame {
-    LightList lights;    // count 0 if direct light is not asked for
+    LightList lights;  // count 0 if direct light is not asked for
     BufferHandle vpls;
     uint32_t vplCount = 0;  // 0 if indirect light is not asked for, or there are no light paths
 

@@ -11,6 +11,7 @@
 #include "engine/techniques/instant_radiosity.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/sobol.h"
+#include "shaders/shared/vpl_emission.h"
 
 #include <chrono>
 #include <cmath>
@@ -49,9 +50,12 @@ float geometryBound(const RenderSettings& settings, double surfaceArea, uint32_t
 
 uint32_t toneCurveOf(ToneCurve curve) {
     switch (curve) {
-        case ToneCurve::Linear: return shared::kToneLinear;
-        case ToneCurve::Reinhard: return shared::kToneReinhard;
-        case ToneCurve::Aces: break;
+        case ToneCurve::Linear:
+            return shared::kToneLinear;
+        case ToneCurve::Reinhard:
+            return shared::kToneReinhard;
+        case ToneCurve::Aces:
+            break;
     }
     return shared::kToneAces;
 }
@@ -59,13 +63,16 @@ uint32_t toneCurveOf(ToneCurve curve) {
 }  // namespace
 
 Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings)
-    : device_(device), scene_(scene), plan_(planScene(scene, !settings.plan)),
+    : device_(device),
+      scene_(scene),
+      plan_(planScene(scene, !settings.plan)),
       gpuScene_(uploadTimed(device, scene, plan_, buildTimed(scene, startupTimes_.bvhBuild), startupTimes_.upload)),
-      pipelines_(device), executor_(device, pipelines_),
-      frameConstants_{gpu::Buffer(device, "frame constants",
-                                  {sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
-                                   gpu::MemoryKind::Upload}),
-                      {}},
+      pipelines_(device),
+      executor_(device, pipelines_),
+      frameConstants_{
+          gpu::Buffer(device, "frame constants",
+                      {sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::Upload}),
+          {}},
       statusBuffer_(makeStatusBuffer(device)) {
     resolve(settings);
     makeTargets();
@@ -98,7 +105,10 @@ void Renderer::resolve(const RenderSettings& settings) {
         fail("--size {}x{}: device {} allows at most {}x{}", settings_.width, settings_.height, device_.info().name,
              limit, limit);
     if (settings.pathCount == 0) settings_.pathCount = settings.vplCount;
-    const int depth = settings.bounceCount ? *settings.bounceCount
+    if (settings_.vplCount > 0 && settings_.pathCount > uint64_t{settings_.vplCount} * shared::kPathsPerBatch)
+        failUsage("--paths {}: expected at most {} for each of the {} VPLs", settings_.pathCount,
+                  shared::kPathsPerBatch, settings_.vplCount);
+    const int depth = settings.bounceCount               ? *settings.bounceCount
                       : scene_.maxDepth.value_or(-1) < 0 ? -1
                                                          : std::max(0, *scene_.maxDepth - 2);
     settings_.bounceCount = depth < 0 ? static_cast<int>(kMaxBounces) : depth;
@@ -119,8 +129,8 @@ void Renderer::writeFrameConstants() {
     const Camera& camera = scene_.cameras[settings_.camera];
     const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
     const ViewAxes view = viewAxes(camera.origin, camera.forward, camera.up, camera.verticalFov, aspect);
-    const glm::vec2 offset = settings_.jitter ? shared::owenScrambledSobol2d(frameCount_, settings_.seed)
-                                              : glm::vec2(0.5f);
+    const glm::vec2 offset =
+        settings_.jitter ? shared::owenScrambledSobol2d(frameCount_, settings_.seed) : glm::vec2(0.5f);
     const glm::vec2 size{settings_.width, settings_.height};
     const EmitterTable& table = gpuScene_.emitterTable;
     const bool local = settings_.lighting != Lighting::Global;
@@ -171,13 +181,12 @@ FrameGraph Renderer::declareFrame() {
     if (keepsVpls_ && result.vpls) {
         const VkDeviceSize bytes = paddedVplCount(settings_.vplCount) * sizeof(shared::LightData);
         if (vplCopy_.buffer.size() != bytes)
-            vplCopy_ = {gpu::Buffer(device_, "VPL copy",
-                                    {bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Readback}),
-                        {}};
+            vplCopy_ = {
+                gpu::Buffer(device_, "VPL copy", {bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Readback}),
+                {}};
         PassBuilder pass = graph.addPass("vpl_copy");
         pass.read(*result.vpls, Access::TransferRead);
-        const BufferHandle copy =
-            pass.write(importPhysical(graph, "VPL copy", vplCopy_), Access::TransferWrite);
+        const BufferHandle copy = pass.write(importPhysical(graph, "VPL copy", vplCopy_), Access::TransferWrite);
         pass.execute([from = *result.vpls, copy, bytes](PassContext& context) { context.copy(from, 0, bytes, copy); });
         graph.addPass("vpl_readback").read(copy, Access::HostRead).keep("the host reads the VPLs");
     }
@@ -202,8 +211,10 @@ Execution Renderer::renderFrame() {
     tuneGather(execution);
     status_ = readStatus(statusBuffer_);
     if (status_.loopBudgetExceeded != 0)
-        fail("device {} ended a ray before its time (its loop limit was met): the picture would be wrong. "
-             "Fewer bounces, or a scene with a shallower BVH, may help", device_.info().name);
+        fail(
+            "device {} ended a ray before its time (its loop limit was met): the picture would be wrong. "
+            "Fewer bounces, or a scene with a shallower BVH, may help",
+            device_.info().name);
     warnings_.add("light paths cut off at the depth limit", {}, status_.pathsTruncated);
     warnings_.add("light-path vertices whose shading-normal correction met its bound", {},
                   status_.shadingNormalsCapped);

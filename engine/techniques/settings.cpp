@@ -26,9 +26,9 @@ constexpr std::array kTechniques = {Name<Technique>{Technique::Deferred, "deferr
 constexpr std::array kLightings = {Name<Lighting>{Lighting::Local, "local"}, Name<Lighting>{Lighting::Global, "global"},
                                    Name<Lighting>{Lighting::Both, "both"}};
 constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<ClampMode>{ClampMode::Bound, "bound"}};
-constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},
-                               Name<Show>{Show::Normal, "normal"},     Name<Show>{Show::Albedo, "albedo"},
-                               Name<Show>{Show::Depth, "depth"},       Name<Show>{Show::Position, "position"},
+constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},  Name<Show>{Show::Vpls, "vpls"},
+                               Name<Show>{Show::Normal, "normal"},    Name<Show>{Show::Albedo, "albedo"},
+                               Name<Show>{Show::Depth, "depth"},      Name<Show>{Show::Position, "position"},
                                Name<Show>{Show::Material, "material"}};
 constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
                                 Name<ToneCurve>{ToneCurve::Reinhard, "reinhard"},
@@ -117,7 +117,8 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.seed = parseInteger<uint32_t>(o, v, 0, std::numeric_limits<uint32_t>::max()); }},
         {{"camera", "N", "which of the scene's cameras"},
          [](S& s, T o, T v) { s.camera = parseInteger<uint32_t>(o, v, 0, 1 << 20); }},
-        {{"show", "picture|vpls|normal|albedo|depth|position|material", "the picture, the VPLs in it, or a G-buffer channel"},
+        {{"show", "picture|vpls|normal|albedo|depth|position|material",
+          "the picture, the VPLs in it, or a G-buffer channel"},
          [](S& s, T o, T v) { s.show = parseName(kShows, o, v); }},
         {{"exposure", "STOPS", "brighter by 2^STOPS in the PNG"},
          [](S& s, T o, T v) { s.exposure = parseNumber(o, v, -64.0f, 64.0f); }},

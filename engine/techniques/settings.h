@@ -36,24 +36,24 @@ struct RenderSettings {
     ClampMode clamp = ClampMode::Off;
     Show show = Show::Picture;
     ToneCurve toneCurve = ToneCurve::Aces;
-    uint32_t width = 0;               // pixels; 0: as the scene's camera says, else 512 x 384
+    uint32_t width = 0;  // pixels; 0: as the scene's camera says, else 512 x 384
     uint32_t height = 0;
-    uint32_t vplCount = 800;          // VPLs shaded in every frame; 0: none
-    uint32_t pathCount = 0;           // light paths per frame; 0: as many as VPLs
-    std::optional<int> bounceCount;   // surfaces a light path may meet; empty: the scene's max_depth; -1: unlimited
+    uint32_t vplCount = 800;         // VPLs shaded in every frame; 0: none
+    uint32_t pathCount = 0;          // light paths per frame; 0: as many as VPLs
+    std::optional<int> bounceCount;  // surfaces a light path may meet; empty: the scene's max_depth; -1: unlimited
     bool russianRoulette = true;
     bool castShadows = true;
-    float clampBound = 10.0f;         // c of the bound
-    uint32_t lightSampleCount = 32;   // points on area lights and the environment per frame
+    float clampBound = 10.0f;        // c of the bound
+    uint32_t lightSampleCount = 32;  // points on area lights and the environment per frame
     uint32_t seed = 0;
-    uint32_t camera = 0;              // index into the scene's cameras
-    float exposure = 0.0f;            // stops
-    float vplDotRadius = 3.0f;        // --show vpls, pixels
-    bool jitter = false;              // a new place in the pixel for every frame: the 1 x 1 box filter
-    bool plan = true;                 // leave out what the scene does not need
+    uint32_t camera = 0;        // index into the scene's cameras
+    float exposure = 0.0f;      // stops
+    float vplDotRadius = 3.0f;  // --show vpls, pixels
+    bool jitter = false;        // a new place in the pixel for every frame: the 1 x 1 box filter
+    bool plan = true;           // leave out what the scene does not need
 };
 
-/// Names as the command line spells them, e.g. "forward-prepass". parse...: empty if there is no such name.
+/// Names as the command line spells them, e.g. "forward-prepass".
 const char* name(Technique technique);
 const char* name(Lighting lighting);
 const char* name(ClampMode clamp);

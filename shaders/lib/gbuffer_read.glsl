@@ -11,7 +11,7 @@ layout(set = 0, binding = kBindingGBufferShading, rgba32ui) readonly uniform uim
 struct GBufferPixel {
     bool isSurface;
     uint triangle;
-    Receiver receiver;  // geometricNormal is that of the triangle, toward the camera; zero normal where no surface is
+    Receiver receiver;  // geometricNormal: the counter-clockwise side; zero normal where no surface is
     vec3 albedo;
 };
 

@@ -4,7 +4,7 @@
 #include "shaders/lib/bvh.glsl"
 #include "shaders/shared/ray_offset.h"
 
-// `normal` is a unit geometric normal on either side; the point moves to the side that `direction` leaves on.
+// `geometricNormal` is a unit normal on either side; the point moves to the side that `direction` leaves on.
 vec3 offsetRayOrigin(vec3 position, vec3 geometricNormal, vec3 direction) {
     return offsetPoint(position, dot(geometricNormal, direction) < 0.0f ? -geometricNormal : geometricNormal);
 }

@@ -50,10 +50,10 @@ vec3 counterClockwiseNormal(TriangleRecord t) {
 }
 
 vec3 shadingNormalAt(TriangleRecord t, vec2 barycentrics, vec3 geometric) {
-    if (!kShadingNormals) return geometric;
-    const vec3 n0 = t.corner0.w == kNoNormal ? geometric : unpackUnitVector(t.corner0.w);
-    const vec3 n1 = t.corner1.w == kNoNormal ? geometric : unpackUnitVector(t.corner1.w);
-    const vec3 n2 = t.corner2.w == kNoNormal ? geometric : unpackUnitVector(t.corner2.w);
+    if (!kShadingNormals || t.corner0.w == kNoNormal) return geometric;  // a flat triangle has none in any corner
+    const vec3 n0 = unpackUnitVector(t.corner0.w);
+    const vec3 n1 = unpackUnitVector(t.corner1.w);
+    const vec3 n2 = unpackUnitVector(t.corner2.w);
     const vec3 n = (1.0 - barycentrics.x - barycentrics.y) * n0 + barycentrics.x * n1 + barycentrics.y * n2;
     const float squared = dot(n, n);
     return squared > 1e-12 ? n * inversesqrt(squared) : geometric;

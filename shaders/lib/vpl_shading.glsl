@@ -4,7 +4,7 @@
 #include "shaders/lib/spot.glsl"
 #include "shaders/shared/lights.h"
 
-// What a receiver needs to know of itself. Visibility rays leave on the geometric normal's side.
+// What a receiver needs to know of itself. `geometricNormal` may point to either side: rays leave on their own.
 struct Receiver {
     vec3 position;
     vec3 normal;

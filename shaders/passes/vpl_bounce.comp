@@ -25,7 +25,7 @@ float maxChannel(vec3 v) { return max(v.x, max(v.y, v.z)); }
 // Light transport is not symmetric in shading normals (Veach 1997, sec. 5.3). A particle that meets a Lambertian
 // surface is weighted by |wi.Ns| / |wi.Ng| and then sees the geometric normal only.
 float shadingNormalCorrection(Surface surface, vec3 wi) {
-    if (!kShadingNormals) return 1.0;
+    if (!kShadingNormals || surface.normal == surface.geometricNormal) return 1.0;
     const float ratio = dot(surface.normal, wi) / max(dot(surface.geometricNormal, wi), 1e-6);
     if (dot(surface.normal, surface.geometricNormal) <= 0.0) return 0.0;
     if (ratio > kMaxShadingNormalCorrection) atomicAdd(status.shadingNormalsCapped, 1u);

@@ -27,6 +27,15 @@ uint pathOfVertex(uint vertex) {
     return low;
 }
 
+// floor((a b + c) / d) where the product may need 64 bits and the result is below 2^20: a quotient in floats is off by
+// one at most, and the low words tell which way.
+uint dividedProduct(uint a, uint b, uint c, uint d) {
+    const float estimate = (float(a) * float(b) + float(c)) / float(d);
+    const uint quotient = uint(estimate);
+    const int remainder = int(a * b + c - quotient * d);  // wraps to the true one, which is small
+    return remainder < 0 ? quotient - 1u : remainder >= int(d) ? quotient + 1u : quotient;
+}
+
 LightData darkVpl() {
     return LightData(vec3(0.0), 0.0, vec3(0.0, 0.0, 1.0), kLightSurface, vec3(0.0), 0.0, 1.0, 0u, 0u, 0u);
 }
@@ -41,7 +50,7 @@ void main() {
         uint vertex = i;
         if (vertexCount > push.vplCount) {
             const uint start = sampleInteger(hashCombine(hashCombine(frame.seed, frame.frame), push.firstPath), vertexCount);
-            vertex = (i * vertexCount + start) / push.vplCount;
+            vertex = dividedProduct(i, vertexCount, start, push.vplCount);
         }
         const uint path = pathOfVertex(vertex);
         vpl = pathVertices[(vertex - pathOffsets[path]) * push.pathCount + path];

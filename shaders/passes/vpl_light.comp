@@ -4,33 +4,33 @@
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/vpl_list_shuffle.glsl"
-#include "shaders/shared/vpl_light.h"
+#include "shaders/lib/tile.glsl"
 
 layout(constant_id = 5) const uint kReceivers = 4u;  // pixels per invocation, one above the other
 #include "shaders/lib/shade_lights.glsl"
 
 layout(constant_id = 4) const bool kAddToRadiance = false;
 
-layout(local_size_x = kVplGroupWidth, local_size_y = kVplGroupHeight) in;
+layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(push_constant, scalar) uniform Push { ShadePush push; };
 
 void main() {
     // No early return: every lane holds a VPL for the others.
-    const ivec2 group = ivec2(gl_WorkGroupID.xy) * ivec2(kVplGroupWidth, kVplGroupHeight * kReceivers);
-    const ivec2 first = group + ivec2(gl_LocalInvocationID.xy);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight * kReceivers);
+    const ivec2 first = tile + pixelInTile(gl_LocalInvocationIndex);
     Receiver receivers[kReceivers];
     vec3 albedo[kReceivers];
     vec3 irradiance[kReceivers];
     for (uint r = 0u; r < kReceivers; ++r) {
-        const GBufferPixel seen = readGBuffer(first + ivec2(0, r * kVplGroupHeight), false);
+        const GBufferPixel seen = readGBuffer(first + ivec2(0, r * kVplTileHeight), false);
         receivers[r] = seen.receiver;
         albedo[r] = seen.albedo;
         irradiance[r] = vec3(0.0);
     }
     shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, irradiance);
     for (uint r = 0u; r < kReceivers; ++r) {
-        const ivec2 pixel = first + ivec2(0, r * kVplGroupHeight);
+        const ivec2 pixel = first + ivec2(0, r * kVplTileHeight);
         if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) continue;
         vec3 radiance = albedo[r] * kInvPi * irradiance[r];
         if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;

@@ -4,21 +4,22 @@
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/vpl_list_shuffle.glsl"
-#include "shaders/shared/vpl_light.h"
+#include "shaders/lib/tile.glsl"
 
 const uint kReceivers = 1u;
 #include "shaders/lib/shade_lights.glsl"
 
 layout(constant_id = 4) const bool kAddToRadiance = false;
 
-layout(local_size_x = kVplGroupWidth, local_size_y = kVplGroupHeight) in;
+layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { ShadePush push; };
 
 void main() {
     // No early return: every lane holds a VPL for the others.
-    const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
+    const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex);
     const GBufferPixel seen = readGBuffer(pixel, true);
     Receiver receivers[kReceivers] = {seen.receiver};
     vec3 irradiance[kReceivers] = {vec3(0.0)};

@@ -40,7 +40,7 @@ struct LightData {
 // As texels of four floats: position and intensity, direction (and kind), colour (and cosCutoff), the rest.
 MANYLIGHT_CONSTANT(uint, kTexelsPerLight, 4u);
 
-// One entry of the emitter table, sampled in proportion to power: a light or an emissive triangle.
+// One entry of the emitter table: a light or an emissive triangle. Nine tenths of the choice go by power.
 MANYLIGHT_CONSTANT(uint, kEmitterPoint, 1u);
 MANYLIGHT_CONSTANT(uint, kEmitterSpot, 2u);
 MANYLIGHT_CONSTANT(uint, kEmitterDirectional, 3u);

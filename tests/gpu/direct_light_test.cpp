@@ -75,8 +75,8 @@ TEST_F(DirectLight, SpotOverAPlane) {
         const double angle = std::acos(glm::dot(-glm::normalize(d), axis));
         const double share = std::clamp((cutoff - angle) / (cutoff - beam), 0.0, 1.0);
         const double full = double{kAlbedo} / kPi * 2.0 * d.y / std::pow(glm::dot(d, d), 1.5);
-        // The ramp is 0.3 rad wide, and an angle from acos() in single precision is good to about 1e-6.
-        ASSERT_NEAR(double{image.texels[3 * i]}, full * share, full * 2e-5) << "angle " << angle;
+        // The ramp is 0.3 rad wide, and Vulkan lets acos() be off by 4096 ulp: 1.2e-4 for these angles.
+        ASSERT_NEAR(double{image.texels[3 * i]}, full * share, full * 8e-4) << "angle " << angle;
         inBeam += angle < beam ? 1 : 0;
         inRamp += angle > beam && angle < cutoff ? 1 : 0;
         if (angle > cutoff + 1e-5) {

@@ -1,4 +1,5 @@
 // In a closed room of one albedo a, the VPLs of bounce k carry the flux Phi a^k, whatever the room looks like.
+#include "engine/core/error.h"
 #include "shaders/shared/constants.h"
 #include "tests/gpu/gpu_test.h"
 #include "tests/gpu/test_scenes.h"
@@ -184,6 +185,7 @@ TEST_F(VplEnergy, ManyMorePathsThanVpls) {
         // Every vertex carries the same flux, so any sample of them has the exact sum.
         EXPECT_NEAR(totalFlux(list.vpls), 4.0 * kPi * 0.5, 1e-5) << vpls;
     }
+    EXPECT_THROW(renderVpls(scene, energySettings(12000, 2, 1, false)), Error) << "a batch would have no entry";
 }
 
 TEST_F(VplEnergy, ASampleOfVeryManyVertices) {
@@ -198,7 +200,7 @@ TEST_F(VplEnergy, ASampleOfVeryManyVertices) {
     for (size_t k = 0; k < 64; ++k) EXPECT_NEAR(byBounce[k], 4.0 * kPi, 4.0 * kPi * 0.1) << k + 1;
     std::vector<uint32_t> paths;
     for (const shared::LightData& vpl : list.vpls) paths.push_back(vpl.pathIndex);
-    EXPECT_EQ(paths.back(), 4095u);
+    EXPECT_EQ(paths.back(), 4095u) << "the end of the list is sampled too";
     EXPECT_TRUE(std::is_sorted(paths.begin(), paths.end()));
 }
 
