@@ -60,34 +60,41 @@ void fps(const FpsOptions& options) {
     if (!options.plot.empty()) drawPlot("plot_fps.py", json, options.plot);
 }
 
+/// A comma-separated list, so that a scene may follow it.
+template <typename T>
+void addList(CLI::App& parser, const char* option, std::vector<T>& list, const char* values, const char* help,
+             const CLI::Validator& check) {
+    parser.add_option(option, list, help)->delimiter(',')->allow_extra_args(false)->check(check)->option_text(values);
+}
+
+/// CLI::Range lets NaN pass.
+std::string checkSeconds(const std::string& text) {
+    double seconds = 0.0;
+    const bool isNumber = CLI::detail::lexical_cast(text, seconds);
+    return isNumber && seconds >= 0.0 && seconds <= 1e6 ? "" : text + ": expected seconds from 0 to 1000000";
+}
+
 void addMeasureOptions(CLI::App& parser, FpsOptions& options) {
-    const auto counts = CLI::Range(0, 1 << 21);
-    parser.add_option("scene", options.scene, "OBJ, glTF or GLB file, or a JSON sidecar");
-    parser.add_option("--vpls", options.vplCounts, "VPL counts")->delimiter(',')->check(counts)->capture_default_str();
-    parser
-        .add_option("--shadowed-vpls", options.shadowedVplCounts,
-                    "VPL counts with shadows; otherwise those of --vpls, on a software driver up to 90 only")
-        ->delimiter(',')
-        ->check(counts);
-    parser.add_option("--techniques", options.techniques, "what to compare")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"forward", "forward-prepass", "deferred"}))
-        ->option_text("forward,forward-prepass,deferred");
-    parser.add_option("--shadows", options.shadows, "VPLs without shadow rays, with them, or both")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"off", "on"}))
-        ->option_text("off,on");
+    const CLI::Range counts(0, 1 << 21);
+    parser.add_option("scene", options.scene, "OBJ, glTF or GLB file, or a JSON sidecar")->type_name("FILE");
+    addList(parser, "--vpls", options.vplCounts, "N,... [20,50,90,200,500,800]", "VPL counts", counts);
+    addList(parser, "--shadowed-vpls", options.shadowedVplCounts, "N,...",
+            "VPL counts with shadows; otherwise those of --vpls, on a software driver up to 90 only", counts);
+    addList(parser, "--techniques", options.techniques, "forward,forward-prepass,deferred", "what to compare",
+            CLI::IsMember({"forward", "forward-prepass", "deferred"}));
+    addList(parser, "--shadows", options.shadows, "off,on", "VPLs without shadow rays, with them, or both",
+            CLI::IsMember({"off", "on"}));
     parser.add_option("--seconds", options.secondsPerCell, "time for each combination, at least")
-        ->check(CLI::Range(0.0, 1e6))
-        ->capture_default_str();
+        ->check(checkSeconds)
+        ->option_text("SECONDS [2]");
     parser.add_option("--frames", options.framesPerCell, "frames for each combination, at least")
         ->check(CLI::Range(1, 1 << 20))
-        ->capture_default_str();
+        ->option_text("N [5]");
     parser
         .add_option("--rounds", options.roundCount, "turns that each combination takes, to share the machine's drift")
         ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    parser.add_option("--device", options.device, "index or part of the name of a Vulkan device");
+        ->option_text("N [3]");
+    parser.add_option("--device", options.device, "index or part of the name of a Vulkan device")->type_name("NAME");
 }
 
 void addOutputOptions(CLI::App& parser, FpsOptions& options) {

@@ -29,9 +29,8 @@ std::string header(const FpsOptions& options, const FpsRun& run) {
                         machine["vulkan"].get<std::string>(), machine["driver"].get<std::string>());
     text += fmt::format("  host         {} threads, Manylight {}\n", machine["host_threads"].get<int>(),
                         machine["manylight"].get<std::string>());
-    text +=
-        fmt::format("  measured     submit to fence, {} interleaved round(s); a cell has {} frames and {} s at least\n",
-                    options.roundCount, options.framesPerCell, options.secondsPerCell);
+    text += fmt::format("  measured     submit to fence, {} interleaved round(s), {} frames and {} s a row at least\n",
+                        options.roundCount, options.framesPerCell, options.secondsPerCell);
     const OneOffTimes& oneOff = run.oneOff;
     text += fmt::format("  one-off      import {:.3f} s, BVH {:.3f} s, upload {:.3f} s, first frame {:.3f} s\n",
                         oneOff.importing, oneOff.bvhBuild, oneOff.upload, oneOff.firstFrame);

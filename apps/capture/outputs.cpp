@@ -1,9 +1,9 @@
 #include "apps/capture/outputs.h"
 
 #include "apps/capture/aovs.h"
+#include "engine/core/file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -19,14 +19,6 @@ std::string lowerExtension(const fs::path& path) {
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension;
-}
-
-void requireWritableFolder(const fs::path& file) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder)) fail("{}: cannot write: folder {} does not exist", file.string(), folder.string());
-    if (fs::is_directory(file)) fail("{}: cannot write: it is a folder", file.string());
-    if (::access(folder.c_str(), W_OK) != 0)
-        fail("{}: cannot write: no permission for folder {}", file.string(), folder.string());
 }
 
 /// One texel as floats: integers become numbers of the same value, so that an EXR viewer shows them.
@@ -68,6 +60,7 @@ DisplayImage besideEachOther(const std::vector<DisplayImage>& pictures) {
 }
 
 void checkOutputs(const CaptureOptions& options) {
+    if (!(options.secondsBudget >= 0.0)) failUsage("--time: expected a number of seconds, 0 or more");
     if (options.outputs.empty() && options.report.empty() && options.dumpGraph.empty() && !options.explain)
         failUsage("nothing to do: expected -o FILE.exr or -o FILE.png");
     for (const fs::path& output : options.outputs) {
@@ -75,9 +68,9 @@ void checkOutputs(const CaptureOptions& options) {
         if (extension != ".exr" && extension != ".png")
             failUsage("-o {}: expected a name that ends in .exr or .png", output.string());
         if (options.sideBySide && extension == ".exr") failUsage("-o {}: --side-by-side makes a PNG", output.string());
-        requireWritableFolder(output);
+        requireWritable(output);
     }
-    if (!options.report.empty()) requireWritableFolder(options.report);
+    if (!options.report.empty()) requireWritable(options.report);
     requireKnownAovs(options.aovs);
     if (!options.dumpPass.empty() && options.outputs.empty())
         failUsage("--dump-pass {}: expected -o too, its files go beside the output", options.dumpPass);

@@ -9,28 +9,12 @@
 #include "shaders/shared/vpl_emission.h"
 #include "shaders/shared/vpl_light.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace manylight {
 namespace {
 
 /// What of `total` belongs to the batches before `batch`: shares of consecutive batches are disjoint and complete.
 uint32_t shareBefore(uint32_t total, uint32_t batch, uint32_t batchCount) {
     return static_cast<uint32_t>(uint64_t{total} * batch / batchCount);
-}
-
-/// Batches of at most kPathsPerBatch paths, and small enough that vpl_compact's product of a batch's vertices and its
-/// entries in the list fits 32 bits. (It multiplies where there are more vertices than entries only.)
-uint32_t countBatches(const VplEmissionOptions& options) {
-    const auto overflows = [&](uint32_t batches) {
-        const uint64_t vertices = uint64_t{options.pathCount / batches + 1} * options.bounceCount;
-        const uint64_t entries = options.vplCount / batches + 1;
-        return entries < vertices && entries * vertices > std::numeric_limits<uint32_t>::max();
-    };
-    uint32_t batches = (options.pathCount + shared::kPathsPerBatch - 1) / shared::kPathsPerBatch;
-    while (overflows(batches)) batches *= 2;
-    return batches;
 }
 
 void emitPaths(FrameGraph& graph, const SceneHandles& scene, PathBuffers& paths, const shared::EmissionPush& push) {
@@ -53,7 +37,7 @@ uint32_t paddedVplCount(uint32_t vplCount) {
 
 BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
                             const VplEmissionOptions& options) {
-    const uint32_t batchCount = countBatches(options);
+    const uint32_t batchCount = (options.pathCount + shared::kPathsPerBatch - 1) / shared::kPathsPerBatch;
     // A batch without an entry in the list would lose its light.
     MANYLIGHT_CHECK(batchCount <= options.vplCount, "vpl_emission");
     const uint32_t batch = (options.pathCount + batchCount - 1) / batchCount;
