@@ -31,9 +31,7 @@ class Degenerate : public GpuTest, public ::testing::WithParamInterface<Techniqu
 
 INSTANTIATE_TEST_SUITE_P(Techniques, Degenerate, ::testing::ValuesIn(kTechniques));
 
-TEST_P(Degenerate, NoLight) {
-    EXPECT_EQ(largestOf(render(closedBox(glm::vec3(0.5f)), someSettings(GetParam()))), 0.0);
-}
+TEST_P(Degenerate, NoLight) { EXPECT_EQ(largestOf(render(closedBox(glm::vec3(0.5f)), someSettings(GetParam()))), 0.0); }
 
 TEST_P(Degenerate, LightsOfNoPower) {
     Scene scene = closedBox(glm::vec3(0.5f));

@@ -114,11 +114,11 @@ TEST_F(DirectLight, SkyOverAPlane) {
 
 TEST_F(DirectLight, RectangleOverAPlane) {
     Scene scene = floorFromAbove(kAlbedo);
-    addQuad(scene, {-0.3f, 0.3f, -0.1f}, {0.4f, 0, 0}, {0, 0, 0.3f}, addMaterial(scene, glm::vec3(0.0f), glm::vec3(1.0f)));
+    addQuad(scene, {-0.3f, 0.3f, -0.1f}, {0.4f, 0, 0}, {0, 0, 0.3f},
+            addMaterial(scene, glm::vec3(0.0f), glm::vec3(1.0f)));
     scene.cameras.clear();
     addCamera(scene, {0.2f, 0.25f, 0.3f}, {-0.1f, 0.0f, -0.1f}, 0.7f);
-    const std::vector<glm::dvec3> corners = {
-        {-0.3, 0.3, -0.1}, {0.1, 0.3, -0.1}, {0.1, 0.3, 0.2}, {-0.3, 0.3, 0.2}};
+    const std::vector<glm::dvec3> corners = {{-0.3, 0.3, -0.1}, {0.1, 0.3, -0.1}, {0.1, 0.3, 0.2}, {-0.3, 0.3, 0.2}};
     RenderSettings settings = plainSettings(12, 8);
     settings.castShadows = true;
     settings.lightSampleCount = 64;
@@ -144,7 +144,8 @@ TEST_F(DirectLight, FormFactorOfParallelUnitSquares) {
     addQuad(scene, {-0.25f, 0, -0.25f}, {0, 0, 0.5f}, {0.5f, 0, 0}, addMaterial(scene, glm::vec3(1.0f)));
     addQuad(scene, {-0.25f, 0.5f, -0.25f}, {0.5f, 0, 0}, {0, 0, 0.5f},
             addMaterial(scene, glm::vec3(0.0f), glm::vec3(1.0f)));
-    addQuad(scene, {-0.4f, -0.3f, 0}, {0.8f, 0, 0}, {0, 0, 0.1f}, addMaterial(scene, glm::vec3(0.0f)));  // for the bounds
+    addQuad(scene, {-0.4f, -0.3f, 0}, {0.8f, 0, 0}, {0, 0, 0.1f},
+            addMaterial(scene, glm::vec3(0.0f)));  // for the bounds
     // Straight down from just below the lamp: the floor fills the picture, and every pixel has the same footprint.
     addCamera(scene, {0, 0.4999f, 0}, {0, 0, 0}, 2.0f * std::atan(0.25f / 0.4999f));
     scene = finished(std::move(scene));

@@ -90,7 +90,8 @@ void expectMean(const std::vector<double>& samples, double expected, double larg
     // Rounding alone may leave an error where the samples hardly differ.
     const double error = std::max(std::sqrt(squares / (count * (count - 1.0))), 2e-6 * std::abs(expected));
     EXPECT_LT(error, largestError) << "the samples scatter too much to say anything; their mean is " << mean;
-    EXPECT_LT(std::abs(mean - expected), 5.0 * error) << "mean " << mean << " +- " << error << ", expected " << expected;
+    EXPECT_LT(std::abs(mean - expected), 5.0 * error)
+        << "mean " << mean << " +- " << error << ", expected " << expected;
 }
 
 }  // namespace manylight::test

@@ -48,7 +48,8 @@ using IntegratingSphere = GpuTest;
 
 TEST_F(IntegratingSphere, DirectLightIsOneHalfInEveryPixel) {
     const Scene scene = sphereScene();
-    // At an angle theta off the facet's normal the facet receives cos^3(theta) / cos^2(tilt) of the sphere's irradiance.
+    // At an angle theta off the facet's normal the facet receives cos^3(theta) / cos^2(tilt) of the sphere's
+    // irradiance.
     const double tolerance = 0.5 * (1.0 / std::pow(std::cos(tessellationTilt(scene)), 2.0) - 1.0) + 1e-6;
     ASSERT_LT(tolerance, 2e-3);
     for (const bool shadows : {false, true}) {

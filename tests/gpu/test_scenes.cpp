@@ -91,8 +91,7 @@ void addRoom(Scene& scene, glm::vec3 low, glm::vec3 high, uint32_t material) {
     addRoom(scene, low, high, {material, material, material, material, material, material});
 }
 
-void addSphere(Scene& scene, glm::vec3 center, float radius, int levels, bool inwards, bool smooth,
-               uint32_t material) {
+void addSphere(Scene& scene, glm::vec3 center, float radius, int levels, bool inwards, bool smooth, uint32_t material) {
     const Sphere sphere{center, radius, inwards, smooth, material};
     for (const float sx : {-1.0f, 1.0f})
         for (const float sy : {-1.0f, 1.0f})
@@ -100,8 +99,10 @@ void addSphere(Scene& scene, glm::vec3 center, float radius, int levels, bool in
                 const glm::vec3 x(sx, 0, 0);
                 const glm::vec3 y(0, sy, 0);
                 const glm::vec3 z(0, 0, sz);
-                if (sx * sy * sz > 0.0f) addSpherePatch(scene, sphere, x, y, z, levels);
-                else addSpherePatch(scene, sphere, x, z, y, levels);
+                if (sx * sy * sz > 0.0f)
+                    addSpherePatch(scene, sphere, x, y, z, levels);
+                else
+                    addSpherePatch(scene, sphere, x, z, y, levels);
             }
 }
 
@@ -204,8 +205,6 @@ Scene everyKindOfLight() {
     return finished(std::move(scene));
 }
 
-Scene cornellBox() {
-    return importScene(std::filesystem::path(MANYLIGHT_SOURCE_DIR) / "scenes" / "cornell_box.json");
-}
+Scene cornellBox() { return importScene(std::filesystem::path(MANYLIGHT_SOURCE_DIR) / "scenes" / "cornell_box.json"); }
 
 }  // namespace manylight::test

@@ -93,7 +93,8 @@ TEST_F(VplEnergy, SpotWithASoftEdge) {
     double solidAngle = 2.0 * kPi * (1.0 - std::cos(kBeam));
     for (int i = 0; i < 1000; ++i) {
         const double share = (i + 0.5) / 1000.0;
-        solidAngle += 2.0 * kPi * std::sin(kBeam + share * (kCutoff - kBeam)) * (1.0 - share) * (kCutoff - kBeam) / 1000.0;
+        solidAngle +=
+            2.0 * kPi * std::sin(kBeam + share * (kCutoff - kBeam)) * (1.0 - share) * (kCutoff - kBeam) / 1000.0;
     }
     std::vector<double> first;
     forEachSeed(scene, energySettings(512, 512, 1, false), 16,

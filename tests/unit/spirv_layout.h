@@ -16,8 +16,14 @@ struct SpirvLayout {
 };
 
 inline SpirvLayout readSpirvLayout(std::span<const uint32_t> words) {
-    enum : uint32_t { kName = 5, kMemberName = 6, kTypeArray = 28, kTypeRuntimeArray = 29, kDecorate = 71,
-                      kMemberDecorate = 72 };
+    enum : uint32_t {
+        kName = 5,
+        kMemberName = 6,
+        kTypeArray = 28,
+        kTypeRuntimeArray = 29,
+        kDecorate = 71,
+        kMemberDecorate = 72
+    };
     enum : uint32_t { kDecorationArrayStride = 6, kDecorationOffset = 35 };
     constexpr size_t kHeaderWords = 5;
     std::map<uint32_t, std::string> names;
@@ -30,17 +36,24 @@ inline SpirvLayout readSpirvLayout(std::span<const uint32_t> words) {
     for (size_t i = kHeaderWords; i < words.size(); i += words[i] >> 16) {
         const uint32_t* const word = &words[i];
         switch (word[0] & 0xffffu) {
-            case kName: names[word[1]] = text(word + 2); break;
-            case kMemberName: memberNames[word[1]][word[2]] = text(word + 3); break;
+            case kName:
+                names[word[1]] = text(word + 2);
+                break;
+            case kMemberName:
+                memberNames[word[1]][word[2]] = text(word + 3);
+                break;
             case kTypeArray:
-            case kTypeRuntimeArray: elementOfArray[word[1]] = word[2]; break;
+            case kTypeRuntimeArray:
+                elementOfArray[word[1]] = word[2];
+                break;
             case kDecorate:
                 if (word[2] == kDecorationArrayStride) strideOfArray[word[1]] = word[3];
                 break;
             case kMemberDecorate:
                 if (word[3] == kDecorationOffset) memberOffsets[word[1]][word[2]] = word[4];
                 break;
-            default: break;
+            default:
+                break;
         }
     }
 

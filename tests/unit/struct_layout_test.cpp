@@ -26,7 +26,8 @@ struct ExpectedStruct {
     uint32_t size;
 };
 
-#define MEMBER(type, member) {#member, static_cast<uint32_t>(offsetof(shared::type, member))}
+#define MEMBER(type, member) \
+    { #member, static_cast < uint32_t>(offsetof(shared::type, member)) }
 
 const std::map<std::string, ExpectedStruct> kStructs = {
     {"FrameConstants",
@@ -68,8 +69,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
     {"RayQuery",
      {{MEMBER(RayQuery, origin), MEMBER(RayQuery, tMax), MEMBER(RayQuery, direction), MEMBER(RayQuery, unused)},
       sizeof(shared::RayQuery)}},
-    {"RayHit",
-     {{MEMBER(RayHit, t), MEMBER(RayHit, triangle), MEMBER(RayHit, barycentrics)}, sizeof(shared::RayHit)}},
+    {"RayHit", {{MEMBER(RayHit, t), MEMBER(RayHit, triangle), MEMBER(RayHit, barycentrics)}, sizeof(shared::RayHit)}},
     {"TraceRaysPush",
      {{MEMBER(TraceRaysPush, firstRay), MEMBER(TraceRaysPush, endRay)}, sizeof(shared::TraceRaysPush)}},
     {"EmissionPush",
@@ -83,8 +83,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
       sizeof(shared::ShadePush)}},
     {"TonemapPush", {{MEMBER(TonemapPush, scale), MEMBER(TonemapPush, curve)}, sizeof(shared::TonemapPush)}},
     {"ShowPush", {{MEMBER(ShowPush, channel), MEMBER(ShowPush, depthScale)}, sizeof(shared::ShowPush)}},
-    {"ShowVplsPush",
-     {{MEMBER(ShowVplsPush, radius), MEMBER(ShowVplsPush, brightness)}, sizeof(shared::ShowVplsPush)}},
+    {"ShowVplsPush", {{MEMBER(ShowVplsPush, radius), MEMBER(ShowVplsPush, brightness)}, sizeof(shared::ShowVplsPush)}},
 };
 
 TEST(StructLayout, ShadersAndCppAgree) {

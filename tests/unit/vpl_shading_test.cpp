@@ -80,8 +80,7 @@ TEST(VplShading, AnyVplSetInASphereGivesTheExactIrradiance) {
             for (int i = 0; i < count; ++i) {
                 glm::vec3 at = directions.next();
                 while (glm::distance(at, seenFrom) < 0.05f) at = directions.next();
-                const LightData vpl =
-                    surfaceLight(kRadius * at, -at, shared::kInvPi / static_cast<float>(count));
+                const LightData vpl = surfaceLight(kRadius * at, -at, shared::kInvPi / static_cast<float>(count));
                 irradiance += glm::dvec3(shared::irradianceOfVpl(receiver, vpl, kNoBound));
             }
             ASSERT_NEAR(irradiance.x / expected, 1.0, 1e-5) << count;
