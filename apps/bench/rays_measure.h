@@ -18,6 +18,7 @@ struct RaySeconds {
 /// Answers that differ from those of Embree's robust mode.
 struct RayDifferences {
     uint64_t hits = 0;       // a hit where Embree has none, or none where it has one: wrong
+    uint64_t undecided = 0;  // the same, but within kDistanceTolerance of an end of the ray or of a triangle's outline
     uint64_t distances = 0;  // closest hits whose t differ by more than kDistanceTolerance
     uint64_t triangles = 0;  // of those with the same t, another triangle: shared edges and coincident surfaces
 };

@@ -38,10 +38,11 @@ std::string rowText(const RaySetSummary& row) {
         return fmt::format("{:7.{}f} {:7.{}f}", value.best, digits, value.median, digits);
     };
     const RaySetRun& set = *row.set;
-    return fmt::format("{:<19}{:<8}{:>8}{:>6.1f} %  {}  {}  {}  {}{:>8}{:>7}{:>7}{:>7}\n", set.name, kindName(set.kind),
-                       set.rayCount, 100.0 * hitRate(set), pair(row.embree, 2), pair(row.ours, 2),
+    return fmt::format("{:<19}{:<8}{:>8}{:>6.1f} %  {}  {}  {}  {}{:>8}{:>7}{:>7}{:>7}{:>7}\n", set.name,
+                       kindName(set.kind), set.rayCount, 100.0 * hitRate(set), pair(row.embree, 2), pair(row.ours, 2),
                        pair(row.wallRatio, 3), row.cpuRatio ? pair(*row.cpuRatio, 3) : fmt::format("{:>15}", "-"),
                        row.target ? fmt::format("{:.2f}", *row.target) : "-", set.differences.hits,
+                       set.differences.undecided,
                        set.kind == RayKind::AnyHit ? "-" : std::to_string(set.differences.distances),
                        set.kind == RayKind::AnyHit ? "-" : std::to_string(set.differences.triangles));
 }
@@ -49,12 +50,12 @@ std::string rowText(const RaySetSummary& row) {
 std::string footer(const RaysRun& run) {
     std::string text =
         "\nMrays/s by wall time; ratio = ours / Embree; each: best, median. CPU: of all threads of the process, on a\n"
-        "software device only. Against Embree's robust mode: \"wrong\" is a hit for a miss or a miss for a hit, \"t\" "
-        "a\n";
+        "software device only. Against Embree's robust mode: wrong = a hit for a miss or a miss for a hit; edge = "
+        "the\n";
     text += fmt::format(
-        "closest hit whose t differs by more than {:g} of itself, \"tri\" another triangle at the same t (shared\n"
-        "edges, coincident surfaces).\n",
-        kDistanceTolerance);
+        "same, within {:g} of a triangle's outline or of an end of the ray; t = a closest hit whose t differs by more\n"
+        "than {:g} of itself; tri = another triangle at the same t (shared edges, coincident surfaces).\n",
+        kDistanceTolerance, kDistanceTolerance);
     if (const auto targets = rayTargets(run.triangleCount))
         text += fmt::format("Targets are those for scenes of about {} triangles.\n", targets->sceneSize);
     else
@@ -76,6 +77,7 @@ Json toJson(const RaySetSummary& row) {
             {"cpu_ratio", row.cpuRatio ? toJson(*row.cpuRatio) : Json(nullptr)},
             {"target_ratio", row.target ? Json(*row.target) : Json(nullptr)},
             {"wrong_hits", set.differences.hits},
+            {"undecided_hits", set.differences.undecided},
             {"other_distances", set.differences.distances},
             {"other_triangles", set.differences.triangles},
             {"embree_wall_seconds", set.embree.wall},
@@ -90,7 +92,7 @@ std::string raysTable(const RaysOptions& options, const RaysRun& run) {
     std::string text = header(options, run);
     text += fmt::format("{:<19}{:<8}{:>8}{:>8}  {:^15}  {:^15}  {:^15}  {:^15}{:>8}{:>7}{:>7}{:>7}\n", "set", "query",
                         "rays", "hit", "Embree Mrays/s", "ours Mrays/s", "ratio, wall", "ratio, CPU", "target", "wrong",
-                        "t", "tri");
+                        "edge", "edge", "t", "tri");
     for (const RaySetSummary& row : summarise(run)) text += rowText(row);
     return text + footer(run);
 }
@@ -98,15 +100,16 @@ std::string raysTable(const RaysOptions& options, const RaysRun& run) {
 std::string raysCsv(const RaysRun& run) {
     std::string text =
         "set,query,rays,hit_rate,embree_mrays_best,embree_mrays_median,mrays_best,mrays_median,wall_ratio_best,"
-        "wall_ratio_median,cpu_ratio_best,cpu_ratio_median,target_ratio,wrong_hits,other_distances,other_triangles\n";
+        "wall_ratio_median,cpu_ratio_best,cpu_ratio_median,target_ratio,wrong_hits,undecided_hits,other_distances,"
+        "other_triangles\n";
     for (const RaySetSummary& row : summarise(run)) {
         const RaySetRun& set = *row.set;
-        text += fmt::format("\"{}\",{},{},{:.5f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{}\n", set.name,
-                            kindName(set.kind), set.rayCount, hitRate(set), row.embree.best, row.embree.median,
-                            row.ours.best, row.ours.median, row.wallRatio.best, row.wallRatio.median,
+        text += fmt::format("\"{}\",{},{},{:.5f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{},{},{},{}\n",
+                            set.name, kindName(set.kind), set.rayCount, hitRate(set), row.embree.best,
+                            row.embree.median, row.ours.best, row.ours.median, row.wallRatio.best, row.wallRatio.median,
                             row.cpuRatio ? fmt::format("{:.4f},{:.4f}", row.cpuRatio->best, row.cpuRatio->median) : ",",
                             row.target ? fmt::format("{:.2f}", *row.target) : "", set.differences.hits,
-                            set.differences.distances, set.differences.triangles);
+                            set.differences.undecided, set.differences.distances, set.differences.triangles);
     }
     return text;
 }

@@ -34,37 +34,42 @@ VkClearValue background(const ForwardOptions& options) {
 }  // namespace
 
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle lights,
-                         BufferHandle vpls, const ForwardOptions& options, std::optional<ImageHandle> depth,
+                         BufferHandle vpls, const ForwardOptions& options, std::optional<Visibility> prepass,
                          uint32_t triangleCount, uint32_t width, uint32_t height) {
-    const bool prepass = depth.has_value();
-    ForwardResult result;
-    result.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
-    result.depth = prepass ? *depth : graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height});
+    const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
+    const auto stretches = shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission);
     gpu::Specialisation constants = surfaceOptions(plan);
     constants.push_back(options.castShadows);
 
-    const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
-    for (shared::ShadePush push : shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission)) {
-        const bool isFirst = push.firstLight == 0 && push.firstVpl == 0;
+    ForwardResult result;
+    result.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+    for (size_t i = 0; i < stretches.size(); ++i) {
+        if (i == 1 && !prepass) prepass = addVisibility(graph, scene, triangleCount, width, height);
+        shared::ShadePush push = stretches[i];
         const BufferHandle window = addVplWindow(graph, vpls, push);
         push.firstVpl = 0;
+
         PassBuilder pass = graph.addPass("forward");
         readSurfaces(pass, scene, PipelineKind::Graphics);
         pass.read(lights, Access::GraphicsStorageRead, shared::kBindingLights)
             .read(window, Access::GraphicsUniform, shared::kBindingVpls);
         scene.status = pass.write(scene.status, Access::GraphicsStorageReadWrite, shared::kBindingStatus);
-        result.radiance = isFirst ? pass.write(result.radiance, Access::ColorWrite, background(options))
-                                  : pass.write(result.radiance, Access::ColorBlend);
-        const bool testsOnly = prepass || !isFirst;
-        if (testsOnly)
-            pass.read(result.depth, Access::DepthRead);
-        else
-            result.depth = pass.write(result.depth, Access::DepthWrite, VkClearValue{.depthStencil = {0.0f, 0}});
-        pass.execute([constants, push, testsOnly, triangleCount](PassContext& context) {
+        result.radiance = i == 0 ? pass.write(result.radiance, Access::ColorWrite, background(options))
+                                 : pass.write(result.radiance, Access::ColorBlend);
+        const bool seenOnly = prepass.has_value();
+        if (seenOnly) {
+            pass.read(prepass->depth, Access::DepthRead)
+                .read(prepass->triangle, Access::GraphicsStorageRead, shared::kBindingVisibility);
+            result.depth = prepass->depth;
+        } else {
+            result.depth = pass.write(graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height}),
+                                      Access::DepthWrite, VkClearValue{.depthStencil = {0.0f, 0}});
+        }
+        pass.execute([constants, push, seenOnly, triangleCount](PassContext& context) {
             context.draw({.vertexShader = "geometry.vert",
-                          .fragmentShader = "forward.frag",
+                          .fragmentShader = seenOnly ? "forward_visible.frag" : "forward.frag",
                           .specialisation = constants,
-                          .depthCompare = testsOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},
+                          .depthCompare = seenOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},
                          triangleCount * 3, push);
         });
     }

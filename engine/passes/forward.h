@@ -1,8 +1,8 @@
 // Forward shading: the fragment shader loops over the real lights and then over the VPLs.
 #pragma once
 
-#include "engine/passes/gbuffer.h"
 #include "engine/passes/light_samples.h"
+#include "engine/passes/visibility.h"
 
 #include <optional>
 
@@ -21,10 +21,10 @@ struct ForwardResult {
     ImageHandle depth;
 };
 
-/// `depth` is a pre-pass's; without it the fragments of hidden surfaces that come first are shaded too, as the
-/// original system did. More lights than a draw may take on are drawn again, adding, where the depth is equal.
+/// `prepass`: only what it saw is shaded; without it the fragments of hidden surfaces that come first are shaded too, as
+/// the original system did. More lights than a draw may take on are drawn again, adding, on what is seen.
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle lights,
-                         BufferHandle vpls, const ForwardOptions& options, std::optional<ImageHandle> depth,
+                         BufferHandle vpls, const ForwardOptions& options, std::optional<Visibility> prepass,
                          uint32_t triangleCount, uint32_t width, uint32_t height);
 
 }  // namespace manylight

@@ -14,8 +14,4 @@ struct GBuffer {
 GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
                    uint32_t width, uint32_t height);
 
-/// Depth alone, for forward shading with a pre-pass. Reversed like the G-buffer's.
-ImageHandle addDepthPrepass(FrameGraph& graph, const SceneHandles& scene, uint32_t triangleCount, uint32_t width,
-                            uint32_t height);
-
 }  // namespace manylight

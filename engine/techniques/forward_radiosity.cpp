@@ -9,16 +9,16 @@ TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, 
     const RenderSettings& settings = inputs.settings;
     const uint32_t triangleCount = inputs.gpuScene.triangleCount;
     const LightsOfFrame lights = addLightsOfFrame(graph, scene, inputs);
-    std::optional<ImageHandle> depth;
+    std::optional<Visibility> prepass;
     if (settings.technique == Technique::ForwardPrepass)
-        depth = addDepthPrepass(graph, scene, triangleCount, settings.width, settings.height);
+        prepass = addVisibility(graph, scene, triangleCount, settings.width, settings.height);
     const ForwardResult forward = addForward(graph, scene, inputs.plan, lights.lights.lights, lights.vpls,
                                              {.lightCount = lights.lights.count,
                                               .vplCount = lights.vplCount,
                                               .castShadows = settings.castShadows,
                                               .showEmission = settings.lighting != Lighting::Global,
                                               .environmentRadiance = inputs.environmentRadiance},
-                                             depth, triangleCount, settings.width, settings.height);
+                                             prepass, triangleCount, settings.width, settings.height);
     return {forward.radiance, forward.depth, lights.list()};
 }
 
