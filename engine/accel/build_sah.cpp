@@ -2,6 +2,8 @@
 #include "engine/accel/embree.h"
 #include "engine/core/check.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -86,7 +88,10 @@ BuildTree buildSahTree(const std::vector<Box>& boxes, const BvhOptions& options)
     arguments.setNodeBounds = ignoreBounds;
     arguments.createLeaf = createLeaf;
     arguments.userPtr = &tree;
-    if (!rtcBuildBVH(&arguments)) {
+    // "threads=1" is not kept while another Embree device with more threads lives; an arena of one is.
+    bool isBuilt = false;
+    tbb::task_arena(1).execute([&] { isBuilt = rtcBuildBVH(&arguments) != nullptr; });
+    if (!isBuilt) {
         fail("Embree: BVH of {} triangles not built (error {})", boxes.size(),
              static_cast<int>(rtcGetDeviceError(device.get())));
     }
