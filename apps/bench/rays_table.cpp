@@ -90,9 +90,9 @@ Json toJson(const RaySetSummary& row) {
 
 std::string raysTable(const RaysOptions& options, const RaysRun& run) {
     std::string text = header(options, run);
-    text += fmt::format("{:<19}{:<8}{:>8}{:>8}  {:^15}  {:^15}  {:^15}  {:^15}{:>8}{:>7}{:>7}{:>7}\n", "set", "query",
-                        "rays", "hit", "Embree Mrays/s", "ours Mrays/s", "ratio, wall", "ratio, CPU", "target", "wrong",
-                        "edge", "t", "tri");
+    text += fmt::format("{:<19}{:<8}{:>8}{:>8}  {:^15}  {:^15}  {:^15}  {:^15}{:>8}{:>7}{:>7}{:>7}{:>7}\n", "set",
+                        "query", "rays", "hit", "Embree Mrays/s", "ours Mrays/s", "ratio, wall", "ratio, CPU", "target",
+                        "wrong", "edge", "t", "tri");
     for (const RaySetSummary& row : summarise(run)) text += rowText(row);
     return text + footer(run);
 }

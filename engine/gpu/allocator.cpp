@@ -97,7 +97,8 @@ Allocation Allocator::allocate(const VkMemoryRequirements& requirements, MemoryK
           fmt::format("allocating {} MiB", block->size >> 20));
     block->holes[0] = block->size;
     blocks_.push_back(std::move(block));
-    if (kind != MemoryKind::Device)
+    // Whatever it is made for: where all memory is of one type, uploads share blocks with the device's own resources.
+    if ((properties_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0)
         check(vkMapMemory(device_, blocks_.back()->memory, 0, VK_WHOLE_SIZE, 0, &blocks_.back()->mapped),
               "mapping memory");
     const auto allocation = cut(*blocks_.back());
