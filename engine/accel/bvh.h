@@ -10,7 +10,7 @@
 namespace manylight {
 
 struct BvhOptions {
-    uint32_t maxLeafSize = 4;       // triangles, 1 to shared::kBvhMaxLeafSize
+    uint32_t maxLeafSize = 2;       // triangles, 1 to shared::kBvhMaxLeafSize
     float traversalCost = 1.0f;     // of one node, in the unit of the next
     float intersectionCost = 1.0f;  // of one triangle
 };

@@ -101,6 +101,7 @@ class Layout {
 
   private:
     uint32_t placeLeaf(const BuildNode& leaf) {
+        MANYLIGHT_CHECK(leaf.count <= shared::kBvhMaxLeafSize, "triangles of a leaf");
         const auto first = static_cast<uint32_t>(bvh_.triangleOrder.size());
         const auto begin = tree_.order.begin() + leaf.first;
         bvh_.triangleOrder.insert(bvh_.triangleOrder.end(), begin, begin + leaf.count);

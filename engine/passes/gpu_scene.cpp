@@ -109,8 +109,10 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
 
     SceneUploader uploader(device);
     gpuScene.bvhNodes = uploader.upload("BVH nodes", bvh.nodes, kTexel, VK_FORMAT_R32G32B32A32_UINT);
-    gpuScene.triangles = uploader.upload("triangles", packTriangles(scene, bvh),
-                                         kTexel | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, VK_FORMAT_R32G32B32A32_UINT);
+    std::vector<glm::vec4> corners = packTriangles(scene, bvh);
+    corners.resize(std::max<size_t>(corners.size(), 3));  // rays that meet nothing look at the first triangle
+    gpuScene.triangles =
+        uploader.upload("triangles", corners, kTexel | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, VK_FORMAT_R32G32B32A32_UINT);
     gpuScene.triangleMaterials = uploader.upload("triangle materials", triangleMaterials, kStorage);
     gpuScene.triangleUvs = uploader.upload("triangle uvs", uvs, kStorage);
     gpuScene.materials = uploader.upload("materials", packMaterials(scene, plan), kStorage);

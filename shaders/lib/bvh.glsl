@@ -6,8 +6,11 @@
 #include "shaders/shared/bvh_ray.h"
 
 #ifndef __cplusplus
+#extension GL_KHR_shader_subgroup_ballot : require
 layout(set = 0, binding = kBindingBvhNodes, rgba32ui) readonly uniform uimageBuffer bvhNodes;
 layout(set = 0, binding = kBindingTriangles, rgba32ui) readonly uniform uimageBuffer bvhTriangles;
+
+uint countInvocations(bool condition) { return subgroupBallotBitCount(subgroupBallot(condition)); }
 #endif
 
 struct Hit {
@@ -20,34 +23,44 @@ struct Hit {
 // loop of a traversal ended though its condition held: the answer is worth nothing, and the pass must say so.
 bool bvhLoopBudgetExceeded = false;
 
-// The children put aside, with kBvhDone at the bottom.
+// The children put aside. The last one is in a register, so that the next node need not wait for memory; those below
+// it are in bvhStack[0] to bvhStack[bvhTop - 1]. At the bottom is kBvhDone, however often it is taken.
 uint bvhStack[kBvhStackSize];
+uint bvhTopEntry = kBvhDone;
 int bvhTop = 0;
 
 void beginTraversal() {
     bvhStack[0] = kBvhDone;
+    bvhTopEntry = kBvhDone;
     bvhTop = 0;
 }
 
-uint popNode() {
-    const uint next = bvhStack[max(bvhTop, 0)];
-    --bvhTop;
-    return next;
+// The last child put aside, if `pops`; otherwise `next`.
+uint popNode(uint next, bool pops) {
+    const uint popped = pops ? bvhTopEntry : next;
+    const int top = max(bvhTop - 1, 0);
+    bvhTopEntry = pops ? bvhStack[top] : bvhTopEntry;
+    bvhTop = pops ? top : bvhTop;
+    return popped;
 }
 
-// Picks the next of a visited node's children, puts the other one aside, or pops: without branches, which would cost
-// SIMD lanes more than the extra store.
-uint nextAfter(NodeVisit visit, bool rightFirst) {
-    const bool hitsBoth = visit.hitsLeft && visit.hitsRight;
-    const bool hitsAny = visit.hitsLeft || visit.hitsRight;
-    bvhStack[bvhTop + 1] = rightFirst ? visit.left : visit.right;
-    const uint popped = bvhStack[bvhTop];
+// Picks the next of a visited node's children, puts the other one aside, or pops; nothing of it if `next` is no node
+// but a leaf. Without branches, which would cost SIMD lanes more than the extra store.
+uint nextAfter(uint next, NodeVisit visit, bool rightFirst) {
+    const bool isInner = (next & kBvhLeaf) == 0u;
+    const bool pushes = isInner && visit.hitsLeft && visit.hitsRight;
+    const bool descends = isInner && (visit.hitsLeft || visit.hitsRight);
     const bool takesRight = visit.hitsRight && (rightFirst || !visit.hitsLeft);
-    bvhTop += hitsBoth ? 1 : (hitsAny ? 0 : -1);
-    return hitsAny ? (takesRight ? visit.right : visit.left) : popped;
+    bvhStack[bvhTop] = bvhTopEntry;
+    const uint after = popNode(next, isInner && !descends);
+    bvhTopEntry = pushes ? (rightFirst ? visit.left : visit.right) : bvhTopEntry;
+    bvhTop = pushes ? bvhTop + 1 : bvhTop;
+    return descends ? (takesRight ? visit.right : visit.left) : after;
 }
 
-NodeVisit visitChildren(TraversalRay ray, uint node, float tMax) {
+// An invocation that waits at a leaf visits the root meanwhile, to no effect.
+NodeVisit visitChildren(TraversalRay ray, uint next, float tMax) {
+    const uint node = (next & kBvhLeaf) == 0u ? next : 0u;
     const uvec4 a = imageLoad(bvhNodes, int(node) * 2);
     const uvec4 b = imageLoad(bvhNodes, int(node) * 2 + 1);
     return visitNode(ray, node, a, b, tMax);
@@ -68,6 +81,9 @@ TriangleHit testTriangle(TraversalRay ray, uint triangle, float tMax) {
                              tMax);
 }
 
+// An invocation at a leaf waits for its subgroup's others only while most of them have nodes to visit.
+bool mostDescend(uint next, uint rayCount) { return 2u * countInvocations((next & kBvhLeaf) == 0u) > rayCount; }
+
 // Is there a triangle at t in (0, tMax)? A zero direction meets nothing.
 bool occluded(vec3 origin, vec3 direction, float tMax) {
     const TraversalRay ray = makeTraversalRay(origin, direction);
@@ -76,24 +92,34 @@ bool occluded(vec3 origin, vec3 direction, float tMax) {
     beginTraversal();
     uint next = 0u;
     while (next != kBvhDone) {
-        while ((next & kBvhLeaf) == 0u) {
+        const uint rayCount = countInvocations(true);
+        bool descends = true;
+        while (descends) {
             const NodeVisit visit = visitChildren(ray, next, tEnd);
-            next = nextAfter(visit, isRightLikelier(visit));
+            next = nextAfter(next, visit, isRightLikelier(visit));
+            descends = mostDescend(next, rayCount);
         }
-        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || (next & kBvhLeaf) == 0u;
-        uint triangle = (next & ~kBvhLeaf) >> 4;
-        const uint end = triangle + (next & 15u);
-        while (triangle < end) {
-            const TriangleHit hit = testTriangle(ray, triangle, tEnd);
-            isHit = isHit || (hit.isHit && hit.t < tEnd);
-            triangle = isHit ? end : triangle + 1u;
-        }
-        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || triangle < end;
-        const uint popped = popNode();
+        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || descends;
+        // A leaf has one triangle or two; a single one is tested twice.
+        const bool isLeaf = (next & kBvhLeaf) != 0u;
+        const uint count = isLeaf ? next & 15u : 0u;
+        const uint first = isLeaf ? (next & ~kBvhLeaf) >> 4 : 0u;
+        const TriangleHit a = testTriangle(ray, first, tEnd);
+        const TriangleHit b = testTriangle(ray, first + (count >> 1), tEnd);
+        isHit = count != 0u && ((a.isHit && a.t < tEnd) || (b.isHit && b.t < tEnd));
+        const uint popped = popNode(next, isLeaf);
         next = isHit ? kBvhDone : popped;
     }
     bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || next != kBvhDone;
     return isHit;
+}
+
+Hit nearer(Hit best, TriangleHit hit, uint triangle, float tMax) {
+    const bool isBetter = hit.isHit && hit.t < tMax && (hit.t < best.t || triangle < best.triangle);
+    best.t = isBetter ? hit.t : best.t;
+    best.triangle = isBetter ? triangle : best.triangle;
+    best.barycentrics = isBetter ? hit.barycentrics : best.barycentrics;
+    return best;
 }
 
 // The nearest triangle at t in (0, tMax); of several at the same t the first in leaf order.
@@ -106,23 +132,24 @@ Hit closestHit(vec3 origin, vec3 direction, float tMax) {
     beginTraversal();
     uint next = 0u;
     while (next != kBvhDone) {
-        while ((next & kBvhLeaf) == 0u) {
+        const uint rayCount = countInvocations(true);
+        bool descends = true;
+        while (descends) {
             const NodeVisit visit = visitChildren(ray, next, best.t);
-            next = nextAfter(visit, isRightNearer(visit));
+            next = nextAfter(next, visit, isRightNearer(visit));
+            descends = mostDescend(next, rayCount);
         }
-        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || (next & kBvhLeaf) == 0u;
-        uint triangle = (next & ~kBvhLeaf) >> 4;
-        const uint end = triangle + (next & 15u);
-        while (triangle < end) {
-            const TriangleHit hit = testTriangle(ray, triangle, best.t);
-            const bool isBetter = hit.isHit && hit.t < tMax && (hit.t < best.t || triangle < best.triangle);
-            best.t = isBetter ? hit.t : best.t;
-            best.triangle = isBetter ? triangle : best.triangle;
-            best.barycentrics = isBetter ? hit.barycentrics : best.barycentrics;
-            ++triangle;
-        }
-        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || triangle < end;
-        next = popNode();
+        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || descends;
+        const bool isLeaf = (next & kBvhLeaf) != 0u;
+        const uint count = isLeaf ? next & 15u : 0u;
+        const uint first = isLeaf ? (next & ~kBvhLeaf) >> 4 : 0u;
+        const uint second = first + (count >> 1);
+        TriangleHit a = testTriangle(ray, first, best.t);
+        TriangleHit b = testTriangle(ray, second, best.t);
+        a.isHit = a.isHit && count != 0u;
+        b.isHit = b.isHit && count != 0u;
+        best = nearer(nearer(best, a, first, tMax), b, second, tMax);
+        next = popNode(next, isLeaf);
     }
     bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || next != kBvhDone;
     return best;

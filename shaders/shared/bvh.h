@@ -21,7 +21,7 @@ struct BvhNode {
     uint index;
 };
 
-MANYLIGHT_CONSTANT(uint, kBvhMaxLeafSize, 8u);
+MANYLIGHT_CONSTANT(uint, kBvhMaxLeafSize, 2u);  // a traversal tests two at once, without a loop
 MANYLIGHT_CONSTANT(int, kBvhStackSize, 48);  // more than the depth of any BVH that buildBvh() returns
 MANYLIGHT_CONSTANT(uint, kBvhMaxTriangles, 0x07ffffffu);
 

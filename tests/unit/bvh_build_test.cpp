@@ -166,9 +166,9 @@ TEST(BvhBuild, TheSameTrianglesGiveTheSameBytes) {
 
 TEST(BvhBuild, TheShallowTreeIsSoundAndShallow) {
     const Scene scene = test::triangleSoup(4096, 0.1f, 5);
-    const Bvh bvh = layoutTree(buildBalancedTree(triangleBoxes(scene), {.maxLeafSize = 4}));
+    const Bvh bvh = layoutTree(buildBalancedTree(triangleBoxes(scene), {.maxLeafSize = 2}));
     Walk(scene, bvh).expectComplete();
-    EXPECT_EQ(bvh.depth, 10u);  // 4096 / 4 leaves
+    EXPECT_EQ(bvh.depth, 11u);  // 4096 / 2 leaves
 }
 
 TEST(BvhBuild, FitsTheMemoryBudget) {

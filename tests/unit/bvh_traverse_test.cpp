@@ -9,16 +9,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace manylight::shared {
 namespace {
 struct TexelBuffer {
     const uvec4* texels = nullptr;
+    int size = 0;
 };
 TexelBuffer bvhNodes;
 TexelBuffer bvhTriangles;
-uvec4 imageLoad(const TexelBuffer& buffer, int index) { return buffer.texels[index]; }
+uint countInvocations(bool condition) { return condition ? 1 : 0; }
+uvec4 imageLoad(const TexelBuffer& buffer, int index) {
+    if (index < 0 || index >= buffer.size) throw std::out_of_range("imageLoad");
+    return buffer.texels[index];
+}
 
 #include "shaders/lib/bvh.glsl"
 }  // namespace
@@ -35,7 +42,10 @@ class Traversal {
     explicit Traversal(const Scene& scene) : bvh_(buildBvh(scene)), corners_(packTriangles(scene, bvh_)) {
         static_assert(sizeof(shared::BvhNode) == 2 * sizeof(glm::uvec4));
         shared::bvhNodes.texels = reinterpret_cast<const glm::uvec4*>(bvh_.nodes.data());
+        corners_.resize(std::max<size_t>(corners_.size(), 3));  // as on the device
         shared::bvhTriangles.texels = reinterpret_cast<const glm::uvec4*>(corners_.data());
+        shared::bvhTriangles.size = static_cast<int>(corners_.size());
+        shared::bvhNodes.size = static_cast<int>(bvh_.nodes.size() * 2);
         shared::bvhLoopBudgetExceeded = false;
     }
     ~Traversal() { EXPECT_FALSE(shared::bvhLoopBudgetExceeded); }
