@@ -3,6 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/forward_shading.glsl"
 
+// Depth first: without this, the status counter or the discard would have hidden fragments shaded too.
+layout(early_fragment_tests) in;
 layout(location = 0) flat in uint triangle;
 layout(location = 0) out vec4 radianceOut;
 layout(set = 0, binding = kBindingVisibility, r32ui) readonly uniform uimage2D visibility;
