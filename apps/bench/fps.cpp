@@ -5,9 +5,6 @@
 #include "apps/bench/plot.h"
 #include "engine/core/file.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <memory>
 
 namespace manylight {
@@ -20,24 +17,13 @@ constexpr const char* kExamples =
     "  manylight-bench fps scene.gltf --techniques deferred --csv - > fps.csv\n"
     "The plot needs Python's matplotlib; MANYLIGHT_PYTHON names another interpreter than /usr/bin/python3.";
 
-bool goesToStandardOutput(const std::string& file) { return file == "-"; }
-
 /// Throws Error before anything is measured.
 void checkOutputs(const FpsOptions& options) {
-    if (goesToStandardOutput(options.csv) && goesToStandardOutput(options.json))
-        failUsage("--csv - and --json -: only one of them can go to standard output");
-    if (!options.plot.empty() && !options.plot.ends_with(".png") && !options.plot.ends_with(".svg"))
+    checkTableFiles(options.files);
+    if (options.plot.empty()) return;
+    if (!options.plot.ends_with(".png") && !options.plot.ends_with(".svg"))
         failUsage("--plot {}: expected a file name that ends in .png or .svg", options.plot);
-    for (const std::string& file : {options.csv, options.json, options.text, options.plot})
-        if (!file.empty() && !goesToStandardOutput(file)) requireWritable(file);
-}
-
-void write(const std::string& file, const std::string& text) {
-    if (file.empty()) return;
-    if (goesToStandardOutput(file))
-        fmt::print("{}", text);
-    else
-        writeTextFile(file, text);
+    requireWritable(options.plot);
 }
 
 void fps(const FpsOptions& options) {
@@ -45,18 +31,9 @@ void fps(const FpsOptions& options) {
     checkOutputs(options);
     const FpsRun run = measureFps(options);
     printWarnings(run.warnings);
-
-    // Standard output is the table's, unless a program reads it.
     const FpsSummary summary = summarise(run);
-    const std::string table = fpsTable(options, run, summary);
-    const bool isPiped = goesToStandardOutput(options.csv) || goesToStandardOutput(options.json);
-    fmt::print(isPiped ? stderr : stdout, "{}", table);
-    std::fflush(stdout);
-
     const Json json = fpsJson(options, run, summary);
-    if (!options.text.empty()) writeTextFile(options.text, table);
-    write(options.csv, fpsCsv(summary));
-    write(options.json, json.dump(2) + "\n");
+    writeTables(options.files, fpsTable(options, run, summary), fpsCsv(summary), json);
     if (!options.plot.empty()) drawPlot("plot_fps.py", json, options.plot);
 }
 
@@ -97,16 +74,6 @@ void addMeasureOptions(CLI::App& parser, FpsOptions& options) {
     parser.add_option("--device", options.device, "index or part of the name of a Vulkan device")->type_name("NAME");
 }
 
-void addOutputOptions(CLI::App& parser, FpsOptions& options) {
-    const auto add = [&](const char* option, std::string& file, const char* help) {
-        parser.add_option(option, file, help)->type_name("FILE")->group("Output");
-    };
-    add("--text", options.text, "the table, as on standard output");
-    add("--csv", options.csv, "one line a combination; - for standard output");
-    add("--json", options.json, "everything; - for standard output");
-    add("--plot", options.plot, "FPS, ms and ratios over VPL counts, as .png or .svg");
-}
-
 }  // namespace
 
 BenchCommand addFpsCommand(CLI::App& app) {
@@ -115,7 +82,10 @@ BenchCommand addFpsCommand(CLI::App& app) {
     parser->footer(kExamples);
     parser->get_formatter()->column_width(38);
     addMeasureOptions(*parser, *options);
-    addOutputOptions(*parser, *options);
+    addTableOptions(*parser, options->files);
+    parser->add_option("--plot", options->plot, "FPS, ms and ratios over VPL counts, as .png or .svg")
+        ->type_name("FILE")
+        ->group("Output");
     addSettingOptions(*parser, options->settings, {"technique", "vpls", "shadows", "show", "vpl-dots"});
     return {parser, [options] { fps(*options); }};
 }

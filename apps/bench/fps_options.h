@@ -1,6 +1,7 @@
 // What the user of `manylight-bench fps` may choose.
 #pragma once
 
+#include "apps/bench/table_files.h"
 #include "apps/common/command_line.h"
 
 #include <filesystem>
@@ -19,10 +20,8 @@ struct FpsOptions {
     std::string device;
     TypedSettings settings;
 
-    std::string csv;  // file name, "-" for standard output, empty for none
-    std::string json;
-    std::string text;
-    std::string plot;
+    TableFiles files;
+    std::string plot;  // file name, empty for none
 };
 
 }  // namespace manylight
