@@ -38,6 +38,24 @@ Scene withLightScaled(Scene scene, int exponent) {
 
 using Determinism = GpuTest;
 
+TEST_F(Determinism, HowManyPixelsAnInvocationShadesDoesNotShow) {
+    // The renderer tries its variants one after the other on the first frames; each frame starts anew here.
+    const Scene scene = cornellBox();
+    RenderSettings settings;
+    settings.width = 33;
+    settings.height = 21;
+    settings.vplCount = 100;
+    settings.castShadows = false;
+    Renderer renderer(device(), scene, settings);
+    renderer.renderFrame();
+    const Image first = renderer.radiance();
+    for (int frame = 1; frame < 7; ++frame) {
+        renderer.restart(settings);
+        renderer.renderFrame();
+        EXPECT_EQ(renderer.radiance().texels, first.texels) << frame;
+    }
+}
+
 TEST_F(Determinism, TheSameSeedGivesTheSameBytes) {
     for (const Scene& scene : {cornellBox(), everyKindOfLight()}) {
         const Image first = render(scene, pictureSettings(), 2);
