@@ -159,8 +159,8 @@ void* GraphExecutor::placeSlot(const PhysicalSlot& slot, const std::string& name
         return buffer.physical.get();
     }
     auto made = std::make_unique<PhysicalBuffer>();
-    made->buffer = gpu::Buffer(
-        device_, name, {slot.buffer.size, slot.bufferUsage, gpu::MemoryKind::Device, slot.buffer.texelFormat});
+    made->buffer = gpu::Buffer(device_, name,
+                               {slot.buffer.size, slot.bufferUsage, gpu::MemoryKind::Device, slot.buffer.texelFormat});
     buffers_.push_back({std::move(made), true});
     return buffers_.back().physical.get();
 }
@@ -188,7 +188,8 @@ void GraphExecutor::recordPass(const FrameGraph& graph, const LivePass& live, co
     for (const Barrier& barrier : live.barriers) {
         if (graph.resources()[barrier.resource].kind == ResourceKind::Image)
             barriers.add(static_cast<PhysicalImage*>(physical[barrier.resource])->texture, barrier.dependency);
-        else barriers.add(static_cast<PhysicalBuffer*>(physical[barrier.resource])->buffer, barrier.dependency);
+        else
+            barriers.add(static_cast<PhysicalBuffer*>(physical[barrier.resource])->buffer, barrier.dependency);
     }
     barriers.record(commands_);
 
@@ -254,8 +255,10 @@ void GraphExecutor::storeStates(const FrameGraph& graph, const CompiledGraph& co
         const Resource& resource = graph.resources()[i];
         if (!resource.imported || compiled.resources[i].firstPass == kNoIndex) continue;
         const ResourceState& state = compiled.resources[i].finalState;
-        if (resource.kind == ResourceKind::Image) static_cast<PhysicalImage*>(physical[i])->state = state;
-        else static_cast<PhysicalBuffer*>(physical[i])->state = state;
+        if (resource.kind == ResourceKind::Image)
+            static_cast<PhysicalImage*>(physical[i])->state = state;
+        else
+            static_cast<PhysicalBuffer*>(physical[i])->state = state;
     }
 }
 

@@ -30,8 +30,7 @@ std::vector<GpuTimers::Interval> GpuTimers::read() const {
     if (count_ == 0) return {};
     std::vector<uint64_t> ticks(2 * size_t{count_});
     gpu::check(vkGetQueryPoolResults(device_.handle(), pool_, 0, 2 * count_, ticks.size() * sizeof(uint64_t),
-                                     ticks.data(), sizeof(uint64_t),
-                                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                                     ticks.data(), sizeof(uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
                "reading timers");
     const double millisecondsPerTick = static_cast<double>(device_.limits().timestampPeriod) * 1e-6;
     std::vector<Interval> intervals;

@@ -51,8 +51,7 @@ gpu::GraphicsKey PassContext::keyOf(const DrawKernel& kernel) const {
     return key;
 }
 
-void PassContext::bind(VkPipelineBindPoint point, const gpu::Pipeline& pipeline, const void* push,
-                       size_t bytes) const {
+void PassContext::bind(VkPipelineBindPoint point, const gpu::Pipeline& pipeline, const void* push, size_t bytes) const {
     vkCmdBindPipeline(commands_, point, pipeline.handle);
     std::vector<VkDescriptorImageInfo> images(pass_.uses.size());
     std::vector<VkDescriptorBufferInfo> buffers(pass_.uses.size());
@@ -144,8 +143,10 @@ void PassContext::beginRendering() const {
         attachment.loadOp = use.clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
         attachment.storeOp = info.writes ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE;
         if (use.clear) attachment.clearValue = *use.clear;
-        if (gpu::isDepthFormat(texture.info().format)) depth = attachment;
-        else colors.push_back(attachment);
+        if (gpu::isDepthFormat(texture.info().format))
+            depth = attachment;
+        else
+            colors.push_back(attachment);
     }
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;

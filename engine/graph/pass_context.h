@@ -62,7 +62,11 @@ class PassContext {
 
     PassContext(const FrameGraph& graph, const Pass& pass, gpu::PipelineLibrary& pipelines,
                 const std::vector<void*>& physical, VkCommandBuffer commands, PipelineKeys* collected)
-        : graph_(graph), pass_(pass), pipelines_(pipelines), physical_(physical), commands_(commands),
+        : graph_(graph),
+          pass_(pass),
+          pipelines_(pipelines),
+          physical_(physical),
+          commands_(commands),
           collected_(collected) {}
 
     void dispatchBytes(const ComputeKernel& kernel, uint32_t width, uint32_t height, const void* push, size_t bytes);

@@ -20,7 +20,8 @@ BufferHandle importPhysical(FrameGraph& graph, const std::string& name, Physical
 std::vector<std::byte> readPhysical(gpu::Device& device, PhysicalImage& image) {
     const gpu::TextureInfo& info = image.texture.info();
     const VkDeviceSize size = VkDeviceSize{info.width} * info.height * gpu::texelBytes(info.format);
-    PhysicalBuffer target{gpu::Buffer(device, "readback", {size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Readback}), {}};
+    PhysicalBuffer target{
+        gpu::Buffer(device, "readback", {size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Readback}), {}};
     gpu::submitAndWait(device, "reading an image back", [&](VkCommandBuffer commands) {
         BarrierRecorder before;
         before.add(image.texture, advance(image.state, Access::TransferRead, ResourceKind::Image));

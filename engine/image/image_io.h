@@ -27,7 +27,8 @@ void writeExr(const std::filesystem::path& path, const std::vector<ExrLayer>& la
 Image readExr(const std::filesystem::path& path);
 
 /// Reads one named layer with given suffixes. Throws Error listing the channels that exist.
-Image readExrLayer(const std::filesystem::path& path, const std::string& name, const std::vector<std::string>& suffixes);
+Image readExrLayer(const std::filesystem::path& path, const std::string& name,
+                   const std::vector<std::string>& suffixes);
 
 /// String attributes of an EXR file.
 std::map<std::string, std::string> readExrAttributes(const std::filesystem::path& path);

@@ -21,8 +21,8 @@ struct ForwardResult {
     ImageHandle depth;
 };
 
-/// `prepass`: only what it saw is shaded; without it the fragments of hidden surfaces that come first are shaded too, as
-/// the original system did. More lights than a draw may take on are drawn again, adding, on what is seen.
+/// `prepass`: only what it saw is shaded; without it the fragments of hidden surfaces that come first are shaded too,
+/// as the original system did. More lights than a draw may take on are drawn again, adding, on what is seen.
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle lights,
                          BufferHandle vpls, const ForwardOptions& options, std::optional<Visibility> prepass,
                          uint32_t triangleCount, uint32_t width, uint32_t height);

@@ -22,8 +22,7 @@ double spotSolidAngle(const Light& light) {
     const double full = 2.0 * kPi * (1.0 - double{light.cosBeam});
     if (cutoff - beam < 1e-9) return full;
     // int_beam^cutoff (cutoff - t) / (cutoff - beam) sin t dt
-    const double ramp =
-        ((cutoff - beam) * std::cos(beam) - std::sin(cutoff) + std::sin(beam)) / (cutoff - beam);
+    const double ramp = ((cutoff - beam) * std::cos(beam) - std::sin(cutoff) + std::sin(beam)) / (cutoff - beam);
     return full + 2.0 * kPi * ramp;
 }
 
@@ -48,11 +47,14 @@ Candidate fromLight(const Light& light, double sceneRadius) {
     const double emission = meanChannel(light.emission);
     const double disk = kPi * sceneRadius * sceneRadius;
     switch (light.type) {
-        case LightType::Point: return {fromLight(light, shared::kEmitterPoint), emission * 4.0 * kPi, false};
-        case LightType::Spot: return {fromLight(light, shared::kEmitterSpot), emission * spotSolidAngle(light), false};
+        case LightType::Point:
+            return {fromLight(light, shared::kEmitterPoint), emission * 4.0 * kPi, false};
+        case LightType::Spot:
+            return {fromLight(light, shared::kEmitterSpot), emission * spotSolidAngle(light), false};
         case LightType::Directional:
             return {fromLight(light, shared::kEmitterDirectional), emission * disk, false};
-        case LightType::Constant: break;
+        case LightType::Constant:
+            break;
     }
     return {fromLight(light, shared::kEmitterConstant), emission * 4.0 * kPi * disk, true};
 }
@@ -117,14 +119,17 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
 
     std::erase_if(candidates, [](const Candidate& candidate) { return !(candidate.power > 0.0); });
     std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.isArea; });
-    distribute(candidates, [](const Candidate&) { return true; }, &Emitter::probability, &Emitter::cumulative);
-    distribute(candidates, [](const Candidate& c) { return c.isArea; }, &Emitter::areaProbability,
-               &Emitter::areaCumulative);
+    distribute(
+        candidates, [](const Candidate&) { return true; }, &Emitter::probability, &Emitter::cumulative);
+    distribute(
+        candidates, [](const Candidate& c) { return c.isArea; }, &Emitter::areaProbability, &Emitter::areaCumulative);
     for (const Candidate& candidate : candidates) {
         table.emitters.push_back(candidate.emitter);
         table.totalPower += candidate.power;
-        if (candidate.isArea) ++table.areaLightCount;
-        else ++table.deltaLightCount;
+        if (candidate.isArea)
+            ++table.areaLightCount;
+        else
+            ++table.deltaLightCount;
     }
     return table;
 }

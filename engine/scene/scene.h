@@ -40,9 +40,9 @@ inline constexpr int32_t kNoTexture = -1;
 /// A two-sided Lambertian reflector that may also emit from its front (counter-clockwise) side.
 struct Material {
     std::string name;
-    glm::vec3 albedo{0.8f};                 // linear, in [0, 1]; multiplied by the texture if there is one
-    int32_t albedoTexture = kNoTexture;     // index into Scene::textures
-    glm::vec3 emittedRadiance{0.0f};        // W / (sr m^2), front side only
+    glm::vec3 albedo{0.8f};              // linear, in [0, 1]; multiplied by the texture if there is one
+    int32_t albedoTexture = kNoTexture;  // index into Scene::textures
+    glm::vec3 emittedRadiance{0.0f};     // W / (sr m^2), front side only
 };
 
 /// Three corners of unified vertices plus a material: indices into Scene::vertices and Scene::materials.
@@ -55,7 +55,7 @@ struct Triangle {
 struct Vertex {
     glm::vec3 position{0.0f};  // normalised frame
     glm::vec3 normal{0.0f};
-    glm::vec2 uv{0.0f};        // v grows with the image's rows
+    glm::vec2 uv{0.0f};  // v grows with the image's rows
 };
 
 enum class LightType : uint8_t { Point, Spot, Directional, Constant };
@@ -65,13 +65,13 @@ enum class LightType : uint8_t { Point, Spot, Directional, Constant };
 struct Light {
     LightType type = LightType::Point;
     std::string name;
-    glm::vec3 position{0.0f};            // normalised frame; point, spot
-    glm::vec3 direction{0.0f, -1, 0};    // unit, of travel; spot, directional
+    glm::vec3 position{0.0f};          // normalised frame; point, spot
+    glm::vec3 direction{0.0f, -1, 0};  // unit, of travel; spot, directional
     /// Point, spot: radiant intensity in the normalised frame. Directional: irradiance on a perpendicular plane.
     /// Constant: radiance of the surroundings.
     glm::vec3 emission{0.0f};
-    float cosCutoff = -1.0f;             // spot: dark outside; linear in angle between beam and cutoff
-    float cosBeam = -1.0f;               // spot: full intensity inside
+    float cosCutoff = -1.0f;  // spot: dark outside; linear in angle between beam and cutoff
+    float cosBeam = -1.0f;    // spot: full intensity inside
 };
 
 /// Pinhole. All vectors in the normalised frame; `forward` and `up` are unit and perpendicular.
@@ -80,24 +80,24 @@ struct Camera {
     glm::vec3 origin{0.0f};
     glm::vec3 forward{0.0f, 0.0f, -1.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
-    float verticalFov = 0.7853982f;      // radians
+    float verticalFov = 0.7853982f;        // radians
     std::optional<glm::uvec2> resolution;  // width, height, where the file names one
 };
 
 struct Scene {
     std::string name;
-    std::filesystem::path path;          // what the user asked for
+    std::filesystem::path path;  // what the user asked for
     SceneFrame frame;
-    glm::vec3 boundsMin{0.0f};           // of the triangles, normalised frame
+    glm::vec3 boundsMin{0.0f};  // of the triangles, normalised frame
     glm::vec3 boundsMax{0.0f};
 
     std::vector<Vertex> vertices;
     std::vector<Triangle> triangles;
-    std::vector<Material> materials;     // at least one if there are triangles
+    std::vector<Material> materials;  // at least one if there are triangles
     std::vector<Texture> textures;
     std::vector<Light> lights;
-    std::vector<Camera> cameras;         // at least one: the importer adds a default and says so
-    std::optional<int> maxDepth;         // sidecar's max_depth: -1 unlimited, 1 emission, 2 direct, 3 one bounce
+    std::vector<Camera> cameras;  // at least one: the importer adds a default and says so
+    std::optional<int> maxDepth;  // sidecar's max_depth: -1 unlimited, 1 emission, 2 direct, 3 one bounce
 
     Json settings = Json::object();      // sidecar's "settings": defaults for the command line's options
     Json importReport = Json::object();  // counts of what was read

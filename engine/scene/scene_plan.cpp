@@ -11,7 +11,10 @@ namespace {
 bool decide(ScenePlan& plan, bool everything, bool needed, const char* what, const std::string& reason,
             uint64_t savedBytes = 0) {
     const bool leftOut = !needed && !everything;
-    plan.decisions.push_back({what, leftOut, needed ? reason : everything ? "--plan off" : reason,
+    plan.decisions.push_back({what, leftOut,
+                              needed       ? reason
+                              : everything ? "--plan off"
+                                           : reason,
                               leftOut ? savedBytes : 0});
     return !leftOut;
 }

@@ -17,10 +17,10 @@ struct PlanDecision {
 };
 
 struct ScenePlan {
-    bool textured = true;          // uvs, texels and their lookups
-    bool shadingNormals = true;    // interpolated normals and the light paths' correction for them
-    bool areaLights = true;        // samples of emissive triangles and of the environment for direct light
-    bool lightPaths = true;        // any light at all, and surfaces to send it to
+    bool textured = true;        // uvs, texels and their lookups
+    bool shadingNormals = true;  // interpolated normals and the light paths' correction for them
+    bool areaLights = true;      // samples of emissive triangles and of the environment for direct light
+    bool lightPaths = true;      // any light at all, and surfaces to send it to
     std::vector<PlanDecision> decisions;
 };
 

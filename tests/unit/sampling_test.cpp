@@ -57,18 +57,28 @@ double meanOver(uint32_t count, Function f) {
 TEST(Warps, CosineHemisphereHasTheMomentsOfCosOverPi) {
     // E[z] = 2/3, E[z^2] = 1/2 for density cos/pi; a 2^14-point net is this close.
     EXPECT_NEAR(meanOver(1 << 14, [](glm::vec2 u) { return squareToCosineHemisphere(u).z; }), 2.0 / 3.0, 1e-4);
-    EXPECT_NEAR(meanOver(1 << 14, [](glm::vec2 u) { const float z = squareToCosineHemisphere(u).z; return z * z; }), 0.5, 1e-4);
+    EXPECT_NEAR(meanOver(1 << 14,
+                         [](glm::vec2 u) {
+                             const float z = squareToCosineHemisphere(u).z;
+                             return z * z;
+                         }),
+                0.5, 1e-4);
 }
 
 TEST(Warps, ConeIsUniformInSolidAngle) {
     for (const float cosCone : {-1.0f, 0.0f, 0.9f})
-        EXPECT_NEAR(meanOver(1 << 14, [&](glm::vec2 u) { return squareToCone(u, cosCone).z; }), (1.0 + cosCone) / 2.0, 1e-4);
+        EXPECT_NEAR(meanOver(1 << 14, [&](glm::vec2 u) { return squareToCone(u, cosCone).z; }), (1.0 + cosCone) / 2.0,
+                    1e-4);
 }
 
 TEST(Warps, TriangleIsUniform) {
     EXPECT_NEAR(meanOver(1 << 14, [](glm::vec2 u) { return squareToTriangle(u).x; }), 1.0 / 3.0, 1e-4);
     EXPECT_NEAR(meanOver(1 << 14, [](glm::vec2 u) { return squareToTriangle(u).y; }), 1.0 / 3.0, 1e-4);
-    EXPECT_NEAR(meanOver(1 << 14, [](glm::vec2 u) { const glm::vec2 b = squareToTriangle(u); return b.x * b.y; }),
+    EXPECT_NEAR(meanOver(1 << 14,
+                         [](glm::vec2 u) {
+                             const glm::vec2 b = squareToTriangle(u);
+                             return b.x * b.y;
+                         }),
                 1.0 / 12.0, 1e-4);
 }
 

@@ -1,7 +1,7 @@
+#include "engine/techniques/settings.h"
 #include "engine/core/error.h"
 #include "engine/scene/scene_plan.h"
 #include "engine/techniques/gather_tuner.h"
-#include "engine/techniques/settings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,7 +51,8 @@ TEST(Settings, ErrorsNameOptionValueAndWhatWasExpected) {
 
 TEST(Settings, SidecarSettingsAreTheSameOptionsAndErrorsNameThePlace) {
     RenderSettings settings;
-    applySettings(settings, Json::parse(R"({"vpls": 32, "shadows": false, "technique": "forward"})"), "a.json: settings");
+    applySettings(settings, Json::parse(R"({"vpls": 32, "shadows": false, "technique": "forward"})"),
+                  "a.json: settings");
     EXPECT_EQ(settings.vplCount, 32u);
     EXPECT_FALSE(settings.castShadows);
     EXPECT_EQ(settings.technique, Technique::Forward);
