@@ -7,16 +7,16 @@
 namespace manylight {
 
 ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                           const LightList& lights, bool castShadows, uint32_t width, uint32_t height) {
+                           uint32_t lightCount, bool castShadows, uint32_t width, uint32_t height) {
     ImageHandle radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     const uint32_t limit = castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
-    for (const shared::ShadePush& push : shadingStretches(lights.count, 0, limit, true)) {
+    for (const shared::ShadePush& push : shadingStretches(lightCount, 0, limit, true)) {
         const bool adds = push.firstLight > 0;
         PassBuilder pass = graph.addPass("direct_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
         pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
             .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
-            .read(lights.lights, Access::ComputeStorageRead, shared::kBindingLights);
+            .read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         radiance = pass.write(radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                               shared::kBindingRadiance);

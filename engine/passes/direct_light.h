@@ -2,12 +2,11 @@
 #pragma once
 
 #include "engine/passes/gbuffer.h"
-#include "engine/passes/light_samples.h"
 
 namespace manylight {
 
-/// Returns the frame's radiance, RGBA32F, with emission and direct light in it.
+/// `lightCount`: point, spot and directional lights and samples of area lights. Returns the frame's radiance, RGBA32F, with emission and direct light in it.
 ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                           const LightList& lights, bool castShadows, uint32_t width, uint32_t height);
+                           uint32_t lightCount, bool castShadows, uint32_t width, uint32_t height);
 
 }  // namespace manylight

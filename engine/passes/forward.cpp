@@ -33,9 +33,8 @@ VkClearValue background(const ForwardOptions& options) {
 
 }  // namespace
 
-ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle lights,
-                         BufferHandle vpls, const ForwardOptions& options, std::optional<Visibility> prepass,
-                         uint32_t triangleCount, uint32_t width, uint32_t height) {
+ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle vpls,
+                         const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount, uint32_t width, uint32_t height) {
     const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
     const auto stretches = shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission);
     gpu::Specialisation constants = surfaceOptions(plan);
@@ -51,7 +50,7 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
 
         PassBuilder pass = graph.addPass("forward");
         readSurfaces(pass, scene, PipelineKind::Graphics);
-        pass.read(lights, Access::GraphicsStorageRead, shared::kBindingLights)
+        pass.read(scene.emitters, Access::GraphicsStorageRead, shared::kBindingEmitters)
             .read(window, Access::GraphicsUniform, shared::kBindingVpls);
         scene.status = pass.write(scene.status, Access::GraphicsStorageReadWrite, shared::kBindingStatus);
         result.radiance = i == 0 ? pass.write(result.radiance, Access::ColorWrite, background(options))

@@ -1,7 +1,7 @@
 // Forward shading: the fragment shader loops over the real lights and then over the VPLs.
 #pragma once
 
-#include "engine/passes/light_samples.h"
+#include "engine/passes/gpu_scene.h"
 #include "engine/passes/visibility.h"
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace manylight {
 
 struct ForwardOptions {
-    uint32_t lightCount = 0;
+    uint32_t lightCount = 0;  // as addDirectLight() counts them
     uint32_t vplCount = 0;
     bool castShadows = true;
     bool showEmission = true;
@@ -23,8 +23,7 @@ struct ForwardResult {
 
 /// `prepass`: only what it saw is shaded; without it the fragments of hidden surfaces that come first are shaded too,
 /// as the original system did. More lights than a draw may take on are drawn again, adding, on what is seen.
-ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle lights,
-                         BufferHandle vpls, const ForwardOptions& options, std::optional<Visibility> prepass,
-                         uint32_t triangleCount, uint32_t width, uint32_t height);
+ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle vpls,
+                         const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount, uint32_t width, uint32_t height);
 
 }  // namespace manylight

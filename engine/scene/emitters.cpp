@@ -130,6 +130,12 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
             ++table.areaLightCount;
         else
             ++table.deltaLightCount;
+        if (candidate.emitter.kind == shared::kEmitterConstant)
+            table.environmentProbability += double{candidate.emitter.probability};
+    }
+    if (!candidates.empty()) {
+        table.powerShare = (1.0 - kDefensiveShare) / table.totalPower;
+        table.equalShare = kDefensiveShare / static_cast<double>(candidates.size());
     }
     return table;
 }

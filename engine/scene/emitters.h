@@ -15,6 +15,10 @@ struct EmitterTable {
     uint32_t areaLightCount = 0;            // emissive triangles and the environment
     glm::vec3 environmentRadiance{0.0f};    // sum of constant lights
     double totalPower = 0.0;                // W in the normalised frame, mean of the channels
+    // Emitter::probability = powerShare * its power + equalShare.
+    double powerShare = 0.0;
+    double equalShare = 0.0;
+    double environmentProbability = 0.0;  // of all constant lights together
 };
 
 /// P = 0.9 * share of power + 0.1 / count: a weak light among strong ones keeps its share of paths (Hesterberg 1995's

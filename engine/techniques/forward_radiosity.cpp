@@ -12,8 +12,8 @@ TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, 
     std::optional<Visibility> prepass;
     if (settings.technique == Technique::ForwardPrepass)
         prepass = addVisibility(graph, scene, triangleCount, settings.width, settings.height);
-    const ForwardResult forward = addForward(graph, scene, inputs.plan, lights.lights.lights, lights.vpls,
-                                             {.lightCount = lights.lights.count,
+    const ForwardResult forward = addForward(graph, scene, inputs.plan, lights.vpls,
+                                             {.lightCount = lights.lightCount,
                                               .vplCount = lights.vplCount,
                                               .castShadows = settings.castShadows,
                                               .showEmission = settings.lighting != Lighting::Global,

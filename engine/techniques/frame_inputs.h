@@ -18,7 +18,7 @@ struct FrameInputs {
 /// What a technique leaves: linear radiance, and the depth it saw.
 struct TechniqueResult {
     ImageHandle radiance;
-    ImageHandle depth;
+    std::optional<ImageHandle> depth;  // a path tracer has none
     std::optional<BufferHandle> vpls;
 };
 

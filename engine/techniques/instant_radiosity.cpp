@@ -44,7 +44,7 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
     std::optional<ImageHandle> radiance;
     if (settings.lighting != Lighting::Global)
         radiance =
-            addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lights, settings.castShadows, width, height);
+            addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lightCount, settings.castShadows, width, height);
     if (lights.vplCount > 0 || !radiance)
         radiance = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls,
                                {.vplCount = lights.vplCount,

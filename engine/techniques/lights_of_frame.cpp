@@ -27,8 +27,7 @@ LightsOfFrame addLightsOfFrame(FrameGraph& graph, SceneHandles& scene, const Fra
                         settings.bounceCount.value_or(0) > 0;
 
     LightsOfFrame result;
-    result.lights =
-        addLightSamples(graph, scene, local ? table.deltaLightCount : 0, samplesAreas ? settings.lightSampleCount : 0);
+    result.lightCount = (local ? table.deltaLightCount : 0) + (samplesAreas ? settings.lightSampleCount : 0);
     if (global) {
         result.vplCount = settings.vplCount;
         result.vpls = addVplEmission(graph, scene, inputs.plan,

@@ -1,7 +1,6 @@
-// The part that deferred and forward share: light paths to VPLs, and the list of real lights.
+// The part that deferred and forward share: light paths to VPLs, and how many real lights there are.
 #pragma once
 
-#include "engine/passes/light_samples.h"
 #include "engine/techniques/frame_inputs.h"
 
 #include <optional>
@@ -9,7 +8,7 @@
 namespace manylight {
 
 struct LightsOfFrame {
-    LightList lights;  // count 0 if direct light is not asked for
+    uint32_t lightCount = 0;  // real lights and samples of area lights; 0 if direct light is not asked for
     BufferHandle vpls;
     uint32_t vplCount = 0;  // 0 if indirect light is not asked for, or there are no light paths
 

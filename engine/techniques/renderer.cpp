@@ -9,6 +9,7 @@
 #include "engine/passes/vpl_emission.h"
 #include "engine/techniques/forward_radiosity.h"
 #include "engine/techniques/instant_radiosity.h"
+#include "engine/techniques/path_tracing.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/sobol.h"
 #include "shaders/shared/vpl_emission.h"
@@ -58,6 +59,20 @@ uint32_t toneCurveOf(ToneCurve curve) {
             break;
     }
     return shared::kToneAces;
+}
+
+TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, bool showsChannel) {
+    if (showsChannel) return declareInstantRadiosity(graph, scene, inputs);
+    switch (inputs.settings.technique) {
+        case Technique::Forward:
+        case Technique::ForwardPrepass:
+            return declareForwardRadiosity(graph, scene, inputs);
+        case Technique::PathTracer:
+            return declarePathTracing(graph, scene, inputs);
+        case Technique::Deferred:
+            break;
+    }
+    return declareInstantRadiosity(graph, scene, inputs);
 }
 
 }  // namespace
@@ -155,6 +170,9 @@ void Renderer::writeFrameConstants() {
     frame.vplCount = settings_.vplCount;
     frame.lightSampleCount = local && plan_.areaLights && table.areaLightCount > 0 ? settings_.lightSampleCount : 0;
     frame.triangleCount = gpuScene_.triangleCount;
+    frame.emitterPowerShare = static_cast<float>(table.powerShare);
+    frame.emitterEqualShare = static_cast<float>(table.equalShare);
+    frame.environmentProbability = static_cast<float>(table.environmentProbability);
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
 }
 
@@ -172,11 +190,9 @@ FrameGraph Renderer::declareFrame() {
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance};
     const bool showsChannel = settings_.show != Show::Picture && settings_.show != Show::Vpls;
-    TechniqueResult result = settings_.technique == Technique::Deferred || showsChannel
-                                 ? declareInstantRadiosity(graph, scene, inputs)
-                                 : declareForwardRadiosity(graph, scene, inputs);
-    if (settings_.show == Show::Vpls && result.vpls)
-        result.radiance = addShowVpls(graph, scene, *result.vpls, settings_.vplCount, result.radiance, result.depth,
+    TechniqueResult result = declareTechnique(graph, scene, inputs, showsChannel);
+    if (settings_.show == Show::Vpls && result.vpls && result.depth)
+        result.radiance = addShowVpls(graph, scene, *result.vpls, settings_.vplCount, result.radiance, *result.depth,
                                       settings_.vplDotRadius, 1.0f);
     if (keepsVpls_ && result.vpls) {
         const VkDeviceSize bytes = paddedVplCount(settings_.vplCount) * sizeof(shared::LightData);

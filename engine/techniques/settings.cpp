@@ -22,7 +22,8 @@ struct Name {
 
 constexpr std::array kTechniques = {Name<Technique>{Technique::Deferred, "deferred"},
                                     Name<Technique>{Technique::Forward, "forward"},
-                                    Name<Technique>{Technique::ForwardPrepass, "forward-prepass"}};
+                                    Name<Technique>{Technique::ForwardPrepass, "forward-prepass"},
+                                    Name<Technique>{Technique::PathTracer, "path-tracer"}};
 constexpr std::array kLightings = {Name<Lighting>{Lighting::Local, "local"}, Name<Lighting>{Lighting::Global, "global"},
                                    Name<Lighting>{Lighting::Both, "both"}};
 constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<ClampMode>{ClampMode::Bound, "bound"}};
@@ -92,7 +93,7 @@ const std::vector<Setting>& settingTable() {
     using S = RenderSettings;
     using T = const std::string&;
     static const std::vector<Setting> table = {
-        {{"technique", "deferred|forward|forward-prepass", "how pixels are shaded"},
+        {{"technique", "deferred|forward|forward-prepass|path-tracer", "how pixels are shaded"},
          [](S& s, T o, T v) { s.technique = parseName(kTechniques, o, v); }},
         {{"lighting", "local|global|both", "direct light, light from the VPLs, or both"},
          [](S& s, T o, T v) { s.lighting = parseName(kLightings, o, v); }},

@@ -13,6 +13,7 @@ enum class Technique : uint8_t {
     Deferred,        // G-buffer, then compute passes light every visible point
     Forward,         // the fragment shader lights every fragment
     ForwardPrepass,  // the same after a depth pre-pass
+    PathTracer,      // the reference
 };
 
 enum class Lighting : uint8_t {

@@ -3,11 +3,14 @@
 #define MANYLIGHT_CAMERA_GLSL
 #include "shaders/lib/surface.glsl"
 
-// Direction (not unit; length 1 along the axis) of the ray through this frame's sample of a pixel.
-vec3 cameraDirection(ivec2 pixel) {
-    const vec2 ndc = 2.0 * (vec2(pixel) + frame.pixelOffset) / vec2(frame.imageSize) - 1.0;
+// Direction (not unit; length 1 along the axis) of the ray through a point of the picture, in pixels.
+vec3 cameraDirectionAt(vec2 point) {
+    const vec2 ndc = 2.0 * point / vec2(frame.imageSize) - 1.0;
     return frame.cameraForward + ndc.x * frame.cameraRight + ndc.y * frame.cameraDown;
 }
+
+// The same through this frame's sample of a pixel.
+vec3 cameraDirection(ivec2 pixel) { return cameraDirectionAt(vec2(pixel) + frame.pixelOffset); }
 
 // Barycentrics (b1, b2) where the line hits the triangle's plane, moved onto the triangle: the rasteriser has said
 // that the pixel is covered, rounding may say otherwise. An edge-on triangle gives its centroid.

@@ -8,6 +8,7 @@
 
 const uint kReceivers = 1u;
 #include "shaders/lib/shade_lights.glsl"
+#include "shaders/lib/shade_vpls.glsl"
 
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { ShadePush push; };
@@ -16,8 +17,8 @@ vec4 forwardRadiance(uint triangle) {
     const ivec2 pixel = ivec2(gl_FragCoord.xy);
     const Surface surface = surfaceOfPixel(triangle, pixel);
     Receiver receivers[kReceivers] = {Receiver(surface.position, surface.normal, surface.geometricNormal)};
-    vec3 irradiance[kReceivers] = {vec3(0.0)};
-    shadeLights(receivers, push.firstLight, push.lightCount, irradiance);
+    vec3 irradiance[kReceivers] = {
+        irradianceOfLights(receivers[0], pixelSeed(frame.seed, pixel), push.firstLight, push.lightCount)};
     shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, irradiance);
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
 

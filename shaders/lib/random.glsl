@@ -6,6 +6,9 @@
 // A stratified point of [0,1)^2 for sample `index` of the sequence named by (seed, dimension).
 vec2 sample2d(uint index, uint seed, uint dimension) { return owenScrambledSobol2d(index, hashCombine(seed, dimension)); }
 
+// A seed for what each pixel draws by itself.
+uint pixelSeed(uint seed, ivec2 pixel) { return hashCombine(hashCombine(seed, uint(pixel.x)), uint(pixel.y)); }
+
 // A uniform integer in [0, count), count < 2^32.
 uint sampleInteger(uint bits, uint count) {
     uint high, low;

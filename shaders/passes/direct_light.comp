@@ -4,13 +4,8 @@
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/emission_seen.glsl"
-#include "shaders/lib/tile.glsl"
-
-const uint kReceivers = 1u;
-const uint kVplBlock = 1u;  // no VPLs here
-void loadVplBlock(uint base) {}
-LightData vplOfBlock(uint i) { return LightData(vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, 0.0, 0u, 0u, 0u); }
 #include "shaders/lib/shade_lights.glsl"
+#include "shaders/lib/tile.glsl"
 
 layout(constant_id = 4) const bool kAddToRadiance = false;
 
@@ -24,12 +19,11 @@ void main() {
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex);
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const GBufferPixel seen = readGBuffer(pixel, true);
-    Receiver receivers[kReceivers] = {seen.receiver};
-    vec3 irradiance[kReceivers] = {vec3(0.0)};
-    shadeLights(receivers, push.firstLight, push.lightCount, irradiance);
+    const vec3 irradiance =
+        irradianceOfLights(seen.receiver, pixelSeed(frame.seed, pixel), push.firstLight, push.lightCount);
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
 
-    vec3 radiance = seen.albedo * kInvPi * irradiance[0];
+    vec3 radiance = seen.albedo * kInvPi * irradiance;
     if (push.showEmission != 0u)
         radiance += radianceEmittedTowards(seen.isSurface, seen.triangle, -cameraDirection(pixel));
     if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;

@@ -7,7 +7,7 @@
 #include "shaders/lib/tile.glsl"
 
 layout(constant_id = 5) const uint kReceivers = 4u;  // pixels per invocation, one above the other
-#include "shaders/lib/shade_lights.glsl"
+#include "shaders/lib/shade_vpls.glsl"
 
 layout(constant_id = 4) const bool kAddToRadiance = false;
 

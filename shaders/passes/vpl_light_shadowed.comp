@@ -7,7 +7,7 @@
 #include "shaders/lib/tile.glsl"
 
 const uint kReceivers = 1u;
-#include "shaders/lib/shade_lights.glsl"
+#include "shaders/lib/shade_vpls.glsl"
 
 layout(constant_id = 4) const bool kAddToRadiance = false;
 

@@ -18,7 +18,7 @@ MANYLIGHT_CONSTANT(int, kBindingRays, 9);               // storage: Ray per path
 MANYLIGHT_CONSTANT(int, kBindingPathOffsets, 10);       // storage: vertices per path, then their prefix sum
 MANYLIGHT_CONSTANT(int, kBindingPathVertices, 11);      // storage: LightData, slot = (depth - 1) * paths + path
 MANYLIGHT_CONSTANT(int, kBindingVpls, 12);              // storage or uniform: LightData
-MANYLIGHT_CONSTANT(int, kBindingLights, 13);            // storage: LightData of real lights and samples of area lights
+MANYLIGHT_CONSTANT(int, kBindingPathStates, 13);        // storage: PathState per pixel of the band
 MANYLIGHT_CONSTANT(int, kBindingStatus, 14);            // storage: FrameStatus
 MANYLIGHT_CONSTANT(int, kBindingVisibility, 15);        // image R32_UINT: triangle + 1, 0 where there is none
 MANYLIGHT_CONSTANT(int, kBindingGBufferPosition, 16);   // image RGBA32_UINT: position, triangle + 1

@@ -26,6 +26,10 @@ struct FrameConstants {
     uint vplCount;         // VPLs shaded in this frame
     uint lightSampleCount; // points sampled on area lights and directions of the environment
     uint triangleCount;
+    // A path tracer chooses an emitter with probability emitterPowerShare * its power + emitterEqualShare.
+    float emitterPowerShare;
+    float emitterEqualShare;
+    float environmentProbability;  // that it chooses the environment
 };
 
 MANYLIGHT_SHARED_END
