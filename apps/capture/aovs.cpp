@@ -47,8 +47,13 @@ const std::vector<Channel>& channels() {
     return list;
 }
 
+const char* const kVariance = "variance";
+const char* const kCutOff = "cut-off";
+
+bool isAccumulated(const std::string& name) { return name == kVariance || name == kCutOff; }
+
 const Channel& channelNamed(const std::string& name) {
-    std::vector<const char*> known;
+    std::vector<const char*> known = {kVariance, kCutOff};
     for (const Channel& channel : channels()) {
         if (name == channel.name) return channel;
         known.push_back(channel.name);
@@ -59,17 +64,30 @@ const Channel& channelNamed(const std::string& name) {
 }  // namespace
 
 void requireKnownAovs(const std::vector<std::string>& names) {
-    for (const std::string& name : names) channelNamed(name);
+    for (const std::string& name : names)
+        if (!isAccumulated(name)) channelNamed(name);
+}
+
+void prepareAovs(Renderer& renderer, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        if (name == kVariance) renderer.keepVariance(true);
+        if (name == kCutOff) renderer.keepCutOff(true);
+    }
 }
 
 std::vector<ExrLayer> captureAovs(Renderer& renderer, const Scene& scene, const std::vector<std::string>& names) {
+    std::vector<ExrLayer> accumulated;
     std::vector<ExrLayer> layers;
     for (const std::string& name : names) {
+        if (name == kVariance && renderer.frameCount() < 2) fail("--aov variance: only one frame was rendered");
+        if (name == kVariance) accumulated.push_back({name, {"R", "G", "B"}, renderer.varianceOfMean()});
+        if (name == kCutOff) accumulated.push_back({name, {"R", "G", "B"}, renderer.cutOff()});
+        if (isAccumulated(name)) continue;
         const Channel& channel = channelNamed(name);
         const auto count = static_cast<uint32_t>(channel.suffixes.size());
         layers.push_back({name, channel.suffixes, Image(renderer.settings().width, renderer.settings().height, count)});
     }
-    if (layers.empty()) return layers;
+    if (layers.empty()) return accumulated;
 
     const GBufferImage gbuffer = captureGBuffer(renderer, scene);
     const Camera& camera = scene.cameras[renderer.settings().camera];
@@ -82,6 +100,7 @@ std::vector<ExrLayer> captureAovs(Renderer& renderer, const Scene& scene, const 
                 layer.image.texels[pixel * layer.image.channels + c] = static_cast<float>(value[static_cast<int>(c)]);
         }
     }
+    layers.insert(layers.begin(), accumulated.begin(), accumulated.end());
     return layers;
 }
 

@@ -1,9 +1,9 @@
 #include "apps/capture/capture.h"
 
 #include "apps/capture/aovs.h"
+#include "apps/capture/frame_loop.h"
 #include "apps/capture/outputs.h"
 #include "engine/core/file.h"
-#include "engine/core/progress.h"
 #include "engine/scene/import.h"
 #include "engine/techniques/renderer.h"
 
@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 
 namespace manylight {
 namespace {
@@ -19,32 +18,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// Frames until the count or the time is used up. Returns the GPU milliseconds per pass, summed by name.
-struct Frames {
-    Json passes = Json::object();
-    double seconds = 0.0;
-    double firstFrameSeconds = 0.0;
-    std::vector<DumpedImage> dumped;
-};
-
-Frames renderFrames(Renderer& renderer, const CaptureOptions& options) {
-    Progress progress("rendering", options.frameCount);
-    Frames frames;
-    std::map<std::string, double> passTimes;
-    const auto start = Clock::now();
-    for (uint32_t i = 0; i < options.frameCount; ++i) {
-        Execution execution = renderer.renderFrame();
-        for (const PassTime& pass : execution.passTimes) passTimes[pass.pass] += pass.milliseconds;
-        frames.seconds = secondsSince(start);
-        if (i == 0) frames.firstFrameSeconds = frames.seconds;
-        frames.dumped = std::move(execution.dumped);
-        progress.advance();
-        if (options.secondsBudget > 0.0 && frames.seconds >= options.secondsBudget) break;
-    }
-    for (const auto& [pass, milliseconds] : passTimes) frames.passes[pass] = milliseconds;
-    return frames;
-}
 
 void writeGraph(Renderer& renderer, const std::string& stem) {
     const Renderer::GraphDump dump = renderer.dumpGraph();
@@ -73,6 +46,7 @@ DisplayImage renderSideBySide(Renderer& renderer, const CaptureOptions& options)
 
 Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& renderer, const Frames& frames,
                 double importSeconds, uint64_t nonFinite) {
+    const auto orNull = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
     Json warnings = scene.warnings.toJson();
     for (const Json& warning : renderer.warnings().toJson()) warnings.push_back(warning);
     return {{"scene", scene.name},
@@ -80,6 +54,8 @@ Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& r
             {"import", scene.importReport},
             {"settings", toJson(renderer.settings())},
             {"frames", renderer.frameCount()},
+            {"ended_by", frames.endedBy},
+            {"relative_standard_error", orNull(frames.relativeError)},
             {"non_finite_values", nonFinite},
             {"vpls_traced_last_frame", renderer.status().vplsTraced},
             {"vpls_shaded_last_frame", renderer.status().vplsShaded},
@@ -106,7 +82,7 @@ void capture(const CaptureOptions& options) {
     const double importSeconds = secondsSince(start);
     printWarnings(scene.warnings);
     RenderSettings settings = resolveSettings(scene, options.settings);
-    settings.jitter = options.frameCount > 1;
+    settings.jitter = options.mostFrames() > 1;
 
     gpu::Device device({.select = options.device});
     Renderer renderer(device, scene, settings);
@@ -118,8 +94,11 @@ void capture(const CaptureOptions& options) {
         return;
     }
 
+    prepareAovs(renderer, options.aovs);
+    if (options.targetError > 0.0) renderer.keepVariance(true);
     renderer.executor().dumpAfter(options.dumpPass);
-    const Frames frames = renderFrames(renderer, options);
+    Frames frames = renderFrames(renderer, options);
+    if (renderer.keepsVariance() && renderer.frameCount() > 1) frames.relativeError = renderer.relativeStandardError();
     renderer.executor().dumpAfter("");
     const Image radiance = renderer.radiance();
     const uint64_t nonFinite = countNonFinite(radiance);
@@ -131,6 +110,8 @@ void capture(const CaptureOptions& options) {
     const std::vector<ExrLayer> aovs = captureAovs(renderer, scene, options.aovs);
     writeOutputs(options.outputs, radiance, aovs, display, report);
     if (!options.report.empty()) writeTextFile(options.report, report.dump(2) + "\n");
+    if (frames.endedBy == std::string("interrupt"))
+        fail("interrupted: the picture has {} frame(s)", report["frames"].get<uint32_t>());
     if (nonFinite > 0) fail("{} channel values of the picture are not finite (written all the same)", nonFinite);
 }
 

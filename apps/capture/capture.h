@@ -10,8 +10,9 @@ namespace manylight {
 struct CaptureOptions {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs;  // .exr or .png
-    uint32_t frameCount = 1;
+    uint32_t frameCount = 0;     // 0: one, or as many as the time or the error take
     double secondsBudget = 0.0;  // 0: none
+    double targetError = 0.0;    // 0: none; see Renderer::relativeStandardError()
     bool sideBySide = false;
     std::vector<std::string> aovs;
     std::filesystem::path report;
@@ -20,6 +21,11 @@ struct CaptureOptions {
     bool explain = false;
     std::string device;
     TypedSettings settings;
+
+    uint32_t mostFrames() const {
+        const bool endsOtherwise = secondsBudget > 0.0 || targetError > 0.0;
+        return frameCount > 0 ? frameCount : endsOtherwise ? 1u << 24 : 1u;
+    }
 };
 
 /// Throws Error before any rendering if an output cannot be what it is asked to be.

@@ -20,12 +20,18 @@ int main(int argc, char** argv) {
     bool listDevices = false;
     app.add_option("scene", options.scene, "OBJ, glTF or GLB file, or a JSON sidecar");
     app.add_option("-o,--output", options.outputs, "FILE.exr (linear radiance, float) or FILE.png; may be repeated");
-    app.add_option("--frames", options.frameCount, "frames to average, each with new light paths and pixel samples")
-        ->check(CLI::Range(1, 1 << 20));
+    app.add_option("--frames,--spp", options.frameCount,
+                   "frames to average, each with new light paths and pixel samples (default: 1, or until --time or "
+                   "--target-error)")
+        ->check(CLI::Range(1, 1 << 24));
     app.add_option("--time", options.secondsBudget, "stop after this many seconds, but after one frame at least")
         ->check(CLI::Range(0.0, 1e9));
+    app.add_option("--target-error", options.targetError,
+                   "stop when the root mean square of the pixels' standard errors, over the mean of the picture, is as "
+                   "small as this")
+        ->check(CLI::Range(0.0, 1e9));
     app.add_flag("--side-by-side", options.sideBySide, "local, global and both, beside each other in one PNG");
-    app.add_option("--aov", options.aovs, "EXR layers: normal,albedo,depth,position,material")->delimiter(',');
+    app.add_option("--aov", options.aovs, "EXR layers: normal,albedo,depth,position,material,variance,cut-off")->delimiter(',');
     app.add_option("--report", options.report, "run report as JSON");
     app.add_option("--dump-graph", options.dumpGraph, "write FILE.dot and FILE.json: the frame graph");
     app.add_option("--dump-pass", options.dumpPass, "write every image this pass wrote beside the output, as EXR");

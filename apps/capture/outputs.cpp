@@ -72,6 +72,9 @@ void checkOutputs(const CaptureOptions& options) {
     }
     if (!options.report.empty()) requireWritable(options.report);
     requireKnownAovs(options.aovs);
+    const bool wantsVariance = std::find(options.aovs.begin(), options.aovs.end(), "variance") != options.aovs.end();
+    if (wantsVariance && options.mostFrames() < 2)
+        failUsage("--aov variance: expected at least two frames, see --frames");
     if (!options.dumpPass.empty() && options.outputs.empty())
         failUsage("--dump-pass {}: expected -o too, its files go beside the output", options.dumpPass);
 }

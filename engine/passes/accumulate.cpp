@@ -4,22 +4,43 @@
 #include "shaders/shared/tonemap.h"
 
 namespace manylight {
+namespace {
 
-ImageHandle addAccumulate(FrameGraph& graph, const SceneHandles& scene, ImageHandle radiance, ImageHandle sum,
-                          bool isFirstFrame, uint32_t width, uint32_t height) {
-    PassBuilder pass = graph.addPass("accumulate");
-    readFrame(pass, scene, PipelineKind::Compute);
-    pass.read(radiance, Access::ComputeStorageRead, shared::kBindingRadiance);
-    sum = pass.write(sum, isFirstFrame ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite,
-                     shared::kBindingRadianceSum);
-    pass.execute([isFirstFrame, width, height](PassContext& context) {
-        context.dispatch({.shader = "accumulate.comp",
+void dispatchImage(PassBuilder& pass, const char* shader, bool isFirstFrame, uint32_t width, uint32_t height) {
+    pass.execute([shader, isFirstFrame, width, height](PassContext& context) {
+        context.dispatch({.shader = shader,
                           .groupWidth = shared::kImageGroupWidth,
                           .groupHeight = shared::kImageGroupHeight,
                           .specialisation = {isFirstFrame}},
                          width, height);
     });
-    return sum;
+}
+
+}  // namespace
+
+RunningSum addAccumulate(FrameGraph& graph, const SceneHandles& scene, ImageHandle radiance, RunningSum running,
+                         bool isFirstFrame, uint32_t width, uint32_t height) {
+    const Access access = isFirstFrame ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite;
+    PassBuilder pass = graph.addPass("accumulate");
+    readFrame(pass, scene, PipelineKind::Compute);
+    pass.read(radiance, Access::ComputeStorageRead, shared::kBindingRadiance);
+    running.sum = pass.write(running.sum, access, shared::kBindingRadianceSum);
+    running.roundingError = pass.write(running.roundingError, access, shared::kBindingRoundingError);
+    dispatchImage(pass, "accumulate.comp", isFirstFrame, width, height);
+    return running;
+}
+
+ImageHandle addVariance(FrameGraph& graph, const SceneHandles& scene, ImageHandle radiance, ImageHandle sum,
+                        ImageHandle squaredDeviations, bool isFirstFrame, uint32_t width, uint32_t height) {
+    PassBuilder pass = graph.addPass("variance");
+    readFrame(pass, scene, PipelineKind::Compute);
+    pass.read(radiance, Access::ComputeStorageRead, shared::kBindingRadiance)
+        .read(sum, Access::ComputeStorageRead, shared::kBindingRadianceSum);
+    squaredDeviations =
+        pass.write(squaredDeviations, isFirstFrame ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite,
+                   shared::kBindingSquaredDeviations);
+    dispatchImage(pass, "variance.comp", isFirstFrame, width, height);
+    return squaredDeviations;
 }
 
 }  // namespace manylight

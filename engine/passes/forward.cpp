@@ -37,8 +37,8 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
                          const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount, uint32_t width, uint32_t height) {
     const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
     const auto stretches = shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission);
-    gpu::Specialisation constants = surfaceOptions(plan);
-    constants.push_back(options.castShadows);
+    gpu::Specialisation common = surfaceOptions(plan);
+    common.insert(common.end(), {options.castShadows, 0u, 0u, 0u, 0u});
 
     ForwardResult result;
     result.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
@@ -51,6 +51,7 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
         PassBuilder pass = graph.addPass("forward");
         readSurfaces(pass, scene, PipelineKind::Graphics);
         pass.read(scene.emitters, Access::GraphicsStorageRead, shared::kBindingEmitters)
+            .read(vpls, Access::GraphicsTexelRead, shared::kBindingVplTexels)
             .read(window, Access::GraphicsUniform, shared::kBindingVpls);
         scene.status = pass.write(scene.status, Access::GraphicsStorageReadWrite, shared::kBindingStatus);
         result.radiance = i == 0 ? pass.write(result.radiance, Access::ColorWrite, background(options))
@@ -64,6 +65,8 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
             result.depth = pass.write(graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height}),
                                       Access::DepthWrite, VkClearValue{.depthStencil = {0.0f, 0}});
         }
+        gpu::Specialisation constants = common;
+        constants.push_back(options.compensates && i == 0);
         pass.execute([constants, push, seenOnly, triangleCount](PassContext& context) {
             context.draw({.vertexShader = "geometry.vert",
                           .fragmentShader = seenOnly ? "forward_visible.frag" : "forward.frag",

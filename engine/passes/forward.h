@@ -13,6 +13,7 @@ struct ForwardOptions {
     uint32_t vplCount = 0;
     bool castShadows = true;
     bool showEmission = true;
+    bool compensates = false;  // for the bound on the geometry term, see compensation.h
     glm::vec3 environmentRadiance{0.0f};  // where no surface is seen
 };
 

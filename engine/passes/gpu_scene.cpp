@@ -1,10 +1,12 @@
 #include "engine/passes/gpu_scene.h"
 
 #include "engine/gpu/transfer.h"
+#include "engine/image/srgb.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/material.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace manylight {
@@ -71,16 +73,32 @@ class SceneUploader {
     gpu::Uploader uploader_;
 };
 
+/// Mean of the largest channel of a texture, linear.
+double meanTexel(const Texture& texture) {
+    std::array<uint64_t, 256> counts{};
+    for (size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
+        ++counts[std::max({texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]})];
+    double sum = 0.0;
+    for (size_t byte = 0; byte < counts.size(); ++byte)
+        sum += static_cast<double>(counts[byte]) * double{decodeSrgb(static_cast<float>(byte) / 255.0f)};
+    return texture.rgba.empty() ? 1.0 : sum * 4.0 / static_cast<double>(texture.rgba.size());
+}
+
 void measureSurfaces(GpuScene& gpuScene, const Scene& scene) {
+    std::vector<double> albedos;
+    for (const Material& material : scene.materials) {
+        const bool isTextured = material.albedoTexture != kNoTexture;
+        albedos.push_back(double{std::max({material.albedo.x, material.albedo.y, material.albedo.z})} *
+                          (isTextured ? meanTexel(scene.textures[static_cast<size_t>(material.albedoTexture)]) : 1.0));
+    }
     double albedoArea = 0.0;
     for (const Triangle& triangle : scene.triangles) {
         const glm::dvec3 p0 = scene.vertices[triangle.vertex[0]].position;
         const glm::dvec3 p1 = scene.vertices[triangle.vertex[1]].position;
         const glm::dvec3 p2 = scene.vertices[triangle.vertex[2]].position;
         const double area = 0.5 * glm::length(glm::cross(p1 - p0, p2 - p0));
-        const glm::vec3 albedo = scene.materials[triangle.material].albedo;
         gpuScene.surfaceArea += area;
-        albedoArea += area * double{std::max({albedo.x, albedo.y, albedo.z})};
+        albedoArea += area * albedos[triangle.material];
     }
     gpuScene.meanAlbedo = gpuScene.surfaceArea > 0.0 ? static_cast<float>(albedoArea / gpuScene.surfaceArea) : 0.0f;
 }

@@ -24,7 +24,7 @@ struct GpuScene {
     EmitterTable emitterTable;
     BoundingSphere sphere;
     double surfaceArea = 0.0;    // of all triangles, normalised frame
-    float meanAlbedo = 0.0f;     // area-weighted, largest channel, textures not looked at
+    float meanAlbedo = 0.0f;     // area-weighted, largest channel
     uint64_t geometryBytes = 0;  // triangles, materials' indices, uvs and BVH
     uint64_t totalBytes = 0;
     Json report() const;  // bytes, bytes per triangle, BVH nodes and depth

@@ -9,6 +9,8 @@
 #include "shaders/shared/vpl_emission.h"
 #include "shaders/shared/vpl_light.h"
 
+#include <algorithm>
+
 namespace manylight {
 namespace {
 
@@ -31,13 +33,17 @@ void emitPaths(FrameGraph& graph, const SceneHandles& scene, PathBuffers& paths,
 
 }  // namespace
 
+uint32_t pathsPerBatch(uint32_t bounceCount) {
+    return std::clamp(shared::kVerticesPerBatch / std::max(bounceCount, 1u), 1u, shared::kPathsPerBatch);
+}
+
 uint32_t paddedVplCount(uint32_t vplCount) {
     return (vplCount + shared::kVplPadding - 1) / shared::kVplPadding * shared::kVplPadding;
 }
 
 BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
                             const VplEmissionOptions& options) {
-    const uint32_t batchCount = (options.pathCount + shared::kPathsPerBatch - 1) / shared::kPathsPerBatch;
+    const uint32_t batchCount = (options.pathCount - 1) / pathsPerBatch(options.bounceCount) + 1;
     // A batch without an entry in the list would lose its light.
     MANYLIGHT_CHECK(batchCount <= options.vplCount, "vpl_emission");
     const uint32_t batch = (options.pathCount + batchCount - 1) / batchCount;

@@ -16,6 +16,9 @@ struct VplEmissionOptions {
 BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
                             const VplEmissionOptions& options);
 
+/// Light paths that are traced together, at most.
+uint32_t pathsPerBatch(uint32_t bounceCount);
+
 /// Entries of the list with its padding.
 uint32_t paddedVplCount(uint32_t vplCount);
 

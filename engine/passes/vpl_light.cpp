@@ -14,8 +14,8 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
     const uint32_t pixelsPerThread = shadows ? 1u : options.pixelsPerInvocation;
     for (const shared::ShadePush& push : shadingStretches(0, options.vplCount, limit, false)) {
         const bool adds = radiance.has_value();
-        if (!adds) radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
-        PassBuilder pass = graph.addPass("vpl_light");
+        if (!adds) radiance = graph.createImage(options.cutOff ? "cut off" : "radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+        PassBuilder pass = graph.addPass(options.cutOff ? "vpl_cut_off" : "vpl_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
         pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
             .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
@@ -24,7 +24,7 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
         radiance = pass.write(*radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                               shared::kBindingRadiance);
         gpu::Specialisation constants = surfaceOptions(plan);
-        constants.insert(constants.end(), {shadows, options.subgroupSize, adds, pixelsPerThread});
+        constants.insert(constants.end(), {shadows, options.subgroupSize, adds, pixelsPerThread, options.cutOff});
         pass.execute([constants, push, shadows, width, height, pixelsPerThread](PassContext& context) {
             context.dispatch({.shader = shadows ? "vpl_light_shadowed.comp" : "vpl_light.comp",
                               .groupWidth = shared::kVplTileWidth,

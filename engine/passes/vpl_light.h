@@ -12,6 +12,7 @@ struct VplLightOptions {
     bool castShadows = true;  // a ray for every pair that could see each other
     uint32_t subgroupSize = 32;
     uint32_t pixelsPerInvocation = 4;  // without shadows; a matter of speed, the picture is the same
+    bool cutOff = false;               // not the light of the VPLs, but what the bound takes from it
 };
 
 /// Adds indirect light to `radiance`, or starts a radiance image where there is none. Returns the new version.

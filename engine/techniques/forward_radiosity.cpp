@@ -17,6 +17,7 @@ TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, 
                                               .vplCount = lights.vplCount,
                                               .castShadows = settings.castShadows,
                                               .showEmission = settings.lighting != Lighting::Global,
+                                              .compensates = lights.vplCount > 0 && settings.clamp == ClampMode::Compensate,
                                               .environmentRadiance = inputs.environmentRadiance},
                                              prepass, triangleCount, settings.width, settings.height);
     return {forward.radiance, forward.depth, lights.list()};

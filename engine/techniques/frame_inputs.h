@@ -13,13 +13,15 @@ struct FrameInputs {
     uint32_t subgroupSize = 32;
     uint32_t pixelsPerInvocation = 4;  // of the gather without shadows
     glm::vec3 environmentRadiance{0.0f};
+    bool keepsCutOff = false;  // TechniqueResult::cutOff is asked for
 };
 
 /// What a technique leaves: linear radiance, and the depth it saw.
 struct TechniqueResult {
     ImageHandle radiance;
-    std::optional<ImageHandle> depth;  // a path tracer has none
-    std::optional<BufferHandle> vpls;
+    std::optional<ImageHandle> depth = std::nullopt;  // a path tracer has none
+    std::optional<BufferHandle> vpls = std::nullopt;
+    std::optional<ImageHandle> cutOff = std::nullopt;  // radiance that the bound on the geometry term took; deferred only
 };
 
 }  // namespace manylight

@@ -1,5 +1,6 @@
 #include "engine/techniques/instant_radiosity.h"
 
+#include "engine/passes/compensation.h"
 #include "engine/passes/direct_light.h"
 #include "engine/passes/show_gbuffer.h"
 #include "engine/passes/vpl_light.h"
@@ -45,14 +46,21 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
     if (settings.lighting != Lighting::Global)
         radiance =
             addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lightCount, settings.castShadows, width, height);
+    VplLightOptions gather{.vplCount = lights.vplCount,
+                           .castShadows = settings.castShadows,
+                           .subgroupSize = inputs.subgroupSize,
+                           .pixelsPerInvocation = inputs.pixelsPerInvocation};
     if (lights.vplCount > 0 || !radiance)
-        radiance = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls,
-                               {.vplCount = lights.vplCount,
-                                .castShadows = settings.castShadows,
-                                .subgroupSize = inputs.subgroupSize,
-                                .pixelsPerInvocation = inputs.pixelsPerInvocation},
-                               radiance, width, height);
-    return {*radiance, gbuffer.depth, lights.list()};
+        radiance = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, width, height);
+    if (lights.vplCount > 0 && settings.clamp == ClampMode::Compensate)
+        radiance = addCompensation(graph, scene, inputs.plan, gbuffer, lights.vpls, *radiance, width, height);
+    TechniqueResult result{*radiance, gbuffer.depth, lights.list(), std::nullopt};
+    if (inputs.keepsCutOff) {
+        gather.cutOff = true;
+        result.cutOff =
+            addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, std::nullopt, width, height);
+    }
+    return result;
 }
 
 }  // namespace manylight

@@ -16,7 +16,7 @@ TechniqueResult declarePathTracing(FrameGraph& graph, SceneHandles& scene, const
                                                .russianRoulette = settings.russianRoulette,
                                                .jitter = settings.jitter},
                                               settings.width, settings.height);
-    return {radiance, std::nullopt, std::nullopt};
+    return {.radiance = radiance};
 }
 
 }  // namespace manylight

@@ -22,6 +22,10 @@
 namespace manylight {
 namespace {
 
+// Measured on the Cornell box: c of the two bounds.
+constexpr float kVanishingBound = 10.0f;
+constexpr float kCompensatedBound = 50.0f;
+
 constexpr float kNearPlane = 1e-5f;  // of scenes whose diagonal is in [1, 2)
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -42,11 +46,20 @@ GpuScene uploadTimed(gpu::Device& device, const Scene& scene, const ScenePlan& p
     return gpuScene;
 }
 
-/// c N^(2/3) / A: the bias of the cut energy falls as fast as the variance it saves grows.
+/// c N^(2/3) / A: the bias of the cut energy falls as fast as the variance it saves grows. What is given back causes no
+/// bias, and c / A keeps the variance finite.
 float geometryBound(const RenderSettings& settings, double surfaceArea, uint32_t frameCount) {
     if (settings.clamp == ClampMode::Off || surfaceArea <= 0.0) return std::numeric_limits<float>::max();
     const double paths = static_cast<double>(settings.pathCount) * (frameCount + 1);
-    return static_cast<float>(static_cast<double>(settings.clampBound) * std::pow(paths, 2.0 / 3.0) / surfaceArea);
+    const double growth = settings.clamp == ClampMode::Compensate ? 1.0 : std::pow(paths, 2.0 / 3.0);
+    return static_cast<float>(double{settings.clampBound.value_or(0.0f)} * growth / surfaceArea);
+}
+
+/// Where the share of light that goes on has fallen to 1e-5: ln 1e-5 / ln albedo, in a scene of one albedo.
+uint32_t unlimitedBounces(float meanAlbedo) {
+    if (meanAlbedo >= 1.0f) return kMaxBounces;
+    const double bounces = std::ceil(std::log(1e-5) / std::log(std::max(double{meanAlbedo}, 1e-3)));
+    return static_cast<uint32_t>(std::clamp(bounces, double{kUnlimitedBounces}, double{kMaxBounces}));
 }
 
 uint32_t toneCurveOf(ToneCurve curve) {
@@ -119,24 +132,33 @@ void Renderer::resolve(const RenderSettings& settings) {
     if (settings_.width > limit || settings_.height > limit)
         fail("--size {}x{}: device {} allows at most {}x{}", settings_.width, settings_.height, device_.info().name,
              limit, limit);
+    if (settings.clamp == ClampMode::Compensate && !settings.castShadows)
+        failUsage("--clamp compensate: expected --shadows on; light that passes through walls cannot be compensated");
+    if (settings.technique == Technique::PathTracer && !settings.castShadows)
+        failUsage("--technique path-tracer: expected --shadows on");
+    if (!settings.clampBound)
+        settings_.clampBound = settings.clamp == ClampMode::Compensate ? kCompensatedBound : kVanishingBound;
     if (settings.pathCount == 0) settings_.pathCount = settings.vplCount;
-    if (settings_.vplCount > 0 && settings_.pathCount > uint64_t{settings_.vplCount} * shared::kPathsPerBatch)
-        failUsage("--paths {}: expected at most {} for each of the {} VPLs", settings_.pathCount,
-                  shared::kPathsPerBatch, settings_.vplCount);
     const int depth = settings.bounceCount               ? *settings.bounceCount
                       : scene_.maxDepth.value_or(-1) < 0 ? -1
                                                          : std::max(0, *scene_.maxDepth - 2);
-    settings_.bounceCount = depth < 0 ? static_cast<int>(kMaxBounces) : depth;
+    settings_.bounceCount = depth < 0 ? static_cast<int>(unlimitedBounces(gpuScene_.meanAlbedo)) : depth;
+    const uint64_t mostPaths =
+        uint64_t{settings_.vplCount} * pathsPerBatch(static_cast<uint32_t>(*settings_.bounceCount));
+    if (settings_.vplCount > 0 && settings_.pathCount > mostPaths)
+        failUsage("--paths {}: expected at most {} for {} VPLs and {} bounces", settings_.pathCount, mostPaths,
+                  settings_.vplCount, *settings_.bounceCount);
 }
 
 void Renderer::makeTargets() {
     constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     const uint32_t width = settings_.width;
     const uint32_t height = settings_.height;
-    radianceSum_ = {};
     display_ = {};
-    radianceSum_.texture =
-        gpu::Texture(device_, "radiance sum", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height, kUsage});
+    radiance_ = {};
+    cutOff_ = {};
+    radiance_ = Accumulator(device_, "radiance", width, height, keepsVariance_);
+    if (keepsCutOff_) cutOff_ = Accumulator(device_, "cut off", width, height, false);
     display_.texture = gpu::Texture(device_, "display", {VK_FORMAT_R8G8B8A8_UNORM, width, height, kUsage});
 }
 
@@ -170,6 +192,7 @@ void Renderer::writeFrameConstants() {
     frame.vplCount = settings_.vplCount;
     frame.lightSampleCount = local && plan_.areaLights && table.areaLightCount > 0 ? settings_.lightSampleCount : 0;
     frame.triangleCount = gpuScene_.triangleCount;
+    frame.bounceCount = static_cast<uint32_t>(*settings_.bounceCount);
     frame.emitterPowerShare = static_cast<float>(table.powerShare);
     frame.emitterEqualShare = static_cast<float>(table.equalShare);
     frame.environmentProbability = static_cast<float>(table.environmentProbability);
@@ -188,7 +211,8 @@ FrameGraph Renderer::declareFrame() {
                              .gpuScene = gpuScene_,
                              .subgroupSize = device_.subgroupSize(),
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
-                             .environmentRadiance = gpuScene_.emitterTable.environmentRadiance};
+                             .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
+                             .keepsCutOff = keepsCutOff_};
     const bool showsChannel = settings_.show != Show::Picture && settings_.show != Show::Vpls;
     TechniqueResult result = declareTechnique(graph, scene, inputs, showsChannel);
     if (settings_.show == Show::Vpls && result.vpls && result.depth)
@@ -207,14 +231,12 @@ FrameGraph Renderer::declareFrame() {
         graph.addPass("vpl_readback").read(copy, Access::HostRead).keep("the host reads the VPLs");
     }
 
-    const bool isFirst = frameCount_ == 0;
-    const ImageHandle sum = addAccumulate(graph, scene, result.radiance,
-                                          importPhysical(graph, "radiance sum", radianceSum_), isFirst, width, height);
+    const ImageHandle sum = radiance_.add(graph, scene, result.radiance, frameCount_);
+    if (result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
     const float scale = std::exp2(settings_.exposure) / static_cast<float>(frameCount_ + 1);
     const ToneCurve curve = showsChannel ? ToneCurve::Linear : settings_.toneCurve;
     const ImageHandle display = addTonemap(graph, scene, sum, importPhysical(graph, "display", display_), scale,
                                            toneCurveOf(curve), width, height);
-    graph.keep(sum);
     graph.keep(display);
     addStatusReadback(graph, scene);
     return graph;
@@ -246,17 +268,34 @@ void Renderer::tuneGather(const Execution& execution) {
     if (milliseconds > 0.0) gatherTuner_.report(milliseconds);
 }
 
-Image Renderer::radiance() {
-    MANYLIGHT_CHECK(frameCount_ > 0u, "radiance()");
-    const std::vector<std::byte> bytes = readPhysical(device_, radianceSum_);
-    Image image(settings_.width, settings_.height, 3);
-    const float scale = 1.0f / static_cast<float>(frameCount_);
-    for (size_t pixel = 0; pixel < size_t{image.width} * image.height; ++pixel) {
-        float rgba[4];
-        std::memcpy(rgba, bytes.data() + pixel * sizeof(rgba), sizeof(rgba));
-        for (size_t c = 0; c < 3; ++c) image.texels[pixel * 3 + c] = rgba[c] * scale;
-    }
-    return image;
+void Renderer::keepVariance(bool keeps) {
+    keepsVariance_ = keeps;
+    makeTargets();
+    frameCount_ = 0;
+}
+
+void Renderer::keepCutOff(bool keeps) {
+    if (keeps && settings_.technique != Technique::Deferred)
+        failUsage("what the bound cuts off is known to --technique deferred only");
+    keepsCutOff_ = keeps;
+    makeTargets();
+    frameCount_ = 0;
+}
+
+Image Renderer::radiance() { return radiance_.mean(device_, frameCount_); }
+
+Image Renderer::varianceOfMean() { return radiance_.varianceOfMean(device_, frameCount_); }
+
+Image Renderer::cutOff() { return cutOff_.mean(device_, frameCount_); }
+
+double Renderer::relativeStandardError() {
+    double sum = 0.0;
+    for (const float value : radiance().texels) sum += double{value};
+    double squares = 0.0;
+    const Image variance = varianceOfMean();
+    for (const float value : variance.texels) squares += double{value};
+    const auto count = static_cast<double>(variance.texels.size());
+    return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
 }
 
 std::vector<uint8_t> Renderer::displayRgba() {

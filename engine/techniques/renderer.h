@@ -4,6 +4,7 @@
 #include "engine/graph/execute.h"
 #include "engine/image/image.h"
 #include "engine/passes/frame_status.h"
+#include "engine/techniques/accumulator.h"
 #include "engine/techniques/gather_tuner.h"
 #include "engine/techniques/settings.h"
 
@@ -37,6 +38,19 @@ class Renderer {
     std::vector<uint8_t> displayRgba();
     /// From the next frame on, keeps a copy of the VPL list that vpls() reads.
     void keepVpls() { keepsVpls_ = true; }
+    /// Restarts with, or without, a record of how far frames scatter: see varianceOfMean().
+    void keepVariance(bool keeps);
+    bool keepsVariance() const { return radiance_.keepsVariance(); }
+    /// Variance of radiance(), per pixel and channel, estimated from its frames as if they were independent. Stratified
+    /// frames do better than that. At least 2 frames.
+    Image varianceOfMean();
+    /// Root mean square of the standard errors of all pixels and channels, over the mean of the picture.
+    double relativeStandardError();
+    /// Restarts with, or without, cutOff(). Deferred technique only.
+    void keepCutOff(bool keeps);
+    /// Mean radiance that the bound on the geometry term took, like radiance(). With --clamp bound it is what the picture
+    /// lacks.
+    Image cutOff();
     /// The VPLs of the last frame, without the padding.
     std::vector<shared::LightData> vpls() const;
 
@@ -76,12 +90,15 @@ class Renderer {
     PhysicalBuffer frameConstants_;
     PhysicalBuffer statusBuffer_;
     PhysicalBuffer vplCopy_;
-    PhysicalImage radianceSum_;
+    Accumulator radiance_;
+    Accumulator cutOff_;  // exists only if asked for
     PhysicalImage display_;
     shared::FrameStatus status_{};
     Warnings warnings_;
     uint32_t frameCount_ = 0;
     bool keepsVpls_ = false;
+    bool keepsVariance_ = false;
+    bool keepsCutOff_ = false;
     GatherTuner gatherTuner_;
 };
 

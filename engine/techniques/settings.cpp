@@ -26,7 +26,8 @@ constexpr std::array kTechniques = {Name<Technique>{Technique::Deferred, "deferr
                                     Name<Technique>{Technique::PathTracer, "path-tracer"}};
 constexpr std::array kLightings = {Name<Lighting>{Lighting::Local, "local"}, Name<Lighting>{Lighting::Global, "global"},
                                    Name<Lighting>{Lighting::Both, "both"}};
-constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<ClampMode>{ClampMode::Bound, "bound"}};
+constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<ClampMode>{ClampMode::Bound, "bound"},
+                                Name<ClampMode>{ClampMode::Compensate, "compensate"}};
 constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},  Name<Show>{Show::Vpls, "vpls"},
                                Name<Show>{Show::Normal, "normal"},    Name<Show>{Show::Albedo, "albedo"},
                                Name<Show>{Show::Depth, "depth"},      Name<Show>{Show::Position, "position"},
@@ -107,9 +108,9 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.russianRoulette = parseSwitch(o, v); }},
         {{"shadows", "on|off", "shadow rays, also for VPLs"},
          [](S& s, T o, T v) { s.castShadows = parseSwitch(o, v); }},
-        {{"clamp", "off|bound", "leave the geometry term as it is, or bound it"},
+        {{"clamp", "off|bound|compensate", "leave the geometry term as it is, bound it, or also give back what that takes"},
          [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); }},
-        {{"clamp-bound", "C", "the bound is C * paths^(2/3) / surface area"},
+        {{"clamp-bound", "C", "the bound is C * paths^(2/3) / surface area; compensated, C / surface area"},
          [](S& s, T o, T v) { s.clampBound = parseNumber(o, v, 0.0f, 1e30f); }},
         {{"light-samples", "N", "points on area lights and the environment per frame"},
          [](S& s, T o, T v) { s.lightSampleCount = parseInteger<uint32_t>(o, v, 1, 65536); }},
@@ -176,7 +177,7 @@ Json toJson(const RenderSettings& s) {
             {"russian-roulette", s.russianRoulette},
             {"shadows", s.castShadows},
             {"clamp", name(s.clamp)},
-            {"clamp-bound", s.clampBound},
+            {"clamp-bound", s.clampBound ? Json(*s.clampBound) : Json()},
             {"light-samples", s.lightSampleCount},
             {"seed", s.seed},
             {"camera", s.camera},

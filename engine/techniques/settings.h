@@ -25,6 +25,7 @@ enum class Lighting : uint8_t {
 enum class ClampMode : uint8_t {
     Off,    // the geometry term as it is: unbiased, with bright spots near VPLs
     Bound,  // cut at bound * N^(2/3) / area: loses energy, vanishing as paths accumulate
+    Compensate,  // cut at bound / area, and given back by short paths: unbiased, without the bright spots
 };
 
 enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material };
@@ -44,8 +45,8 @@ struct RenderSettings {
     std::optional<int> bounceCount;  // surfaces a light path may meet; empty: the scene's max_depth; -1: unlimited
     bool russianRoulette = true;
     bool castShadows = true;
-    float clampBound = 10.0f;        // c of the bound
-    uint32_t lightSampleCount = 32;  // points on area lights and the environment per frame
+    std::optional<float> clampBound;  // c of the bound; empty: as suits the mode
+    uint32_t lightSampleCount = 16;  // points on area lights and the environment per frame
     uint32_t seed = 0;
     uint32_t camera = 0;        // index into the scene's cameras
     float exposure = 0.0f;      // stops
@@ -77,7 +78,8 @@ void applySettings(RenderSettings& settings, const Json& json, const std::string
 /// All settings, for the run report and the EXR's attributes.
 Json toJson(const RenderSettings& settings);
 
-/// "Unlimited" light paths end here; the share of paths cut off is reported.
-inline constexpr uint32_t kMaxBounces = 64;
+/// "Unlimited" light paths end between these two, the earlier the darker the scene; the paths cut off are reported.
+inline constexpr uint32_t kUnlimitedBounces = 64;
+inline constexpr uint32_t kMaxBounces = 1024;
 
 }  // namespace manylight

@@ -9,6 +9,9 @@
 const uint kReceivers = 1u;
 #include "shaders/lib/shade_lights.glsl"
 #include "shaders/lib/shade_vpls.glsl"
+#include "shaders/lib/compensation.glsl"
+
+layout(constant_id = 7) const bool kCompensates = false;
 
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { ShadePush push; };
@@ -20,9 +23,9 @@ vec4 forwardRadiance(uint triangle) {
     vec3 irradiance[kReceivers] = {
         irradianceOfLights(receivers[0], pixelSeed(frame.seed, pixel), push.firstLight, push.lightCount)};
     shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, irradiance);
-    if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
-
     vec3 radiance = surface.albedo * kInvPi * irradiance[0];
+    if (kCompensates) radiance += compensation(receivers[0], surface.albedo, pixelSeed(frame.seed, pixel));
+    if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
     if (push.showEmission != 0u) radiance += radianceEmittedTowards(true, triangle, -cameraDirection(pixel));
     return vec4(radiance, 1.0);
 }

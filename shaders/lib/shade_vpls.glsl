@@ -4,6 +4,13 @@
 #define MANYLIGHT_SHADE_VPLS_GLSL
 #include "shaders/lib/arriving.glsl"
 
+// Instead of the bounded light, sums what the bound cuts off: an AOV.
+layout(constant_id = 6) const bool kCutOff = false;
+
+vec3 shareOfVpl(Receiver receiver, LightData vpl, float bound) {
+    return kCutOff ? irradianceCutOff(receiver, vpl, bound) : irradianceOfVpl(receiver, vpl, bound);
+}
+
 // Adds the irradiance of VPLs [first, first + count). Blocks are summed apart, which keeps rounding small in long lists.
 void shadeVpls(Receiver receivers[kReceivers], uint first, uint count, float bound, inout vec3 irradiance[kReceivers]) {
     for (uint base = first; base < first + count; base += kVplBlock) {
@@ -13,7 +20,7 @@ void shadeVpls(Receiver receivers[kReceivers], uint first, uint count, float bou
         for (uint i = 0u; i < kVplBlock; ++i) {
             const LightData vpl = vplOfBlock(i);
             for (uint r = 0u; r < kReceivers; ++r)
-                blockSum[r] += arriving(irradianceOfVpl(receivers[r], vpl, bound), receivers[r], vpl);
+                blockSum[r] += arriving(shareOfVpl(receivers[r], vpl, bound), receivers[r], vpl);
         }
         for (uint r = 0u; r < kReceivers; ++r) irradiance[r] += blockSum[r];
     }

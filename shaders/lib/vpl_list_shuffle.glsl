@@ -2,12 +2,9 @@
 #ifndef MANYLIGHT_VPL_LIST_GLSL
 #define MANYLIGHT_VPL_LIST_GLSL
 #extension GL_KHR_shader_subgroup_shuffle : require
-#include "shaders/shared/lights.h"
+#include "shaders/lib/vpl_texels.glsl"
 
 layout(constant_id = 3) const uint kVplBlock = 8u;  // the subgroup's size
-
-// Texel loads are twice as fast as storage-buffer loads on a software driver, and no slower on a GPU.
-layout(set = 0, binding = kBindingVplTexels, rgba32f) readonly uniform imageBuffer vplTexels;
 
 vec4 heldPosition;   // and intensity
 vec3 heldDirection;

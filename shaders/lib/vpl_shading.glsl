@@ -26,6 +26,12 @@ vec3 irradianceOfVpl(Receiver receiver, LightData vpl, float bound) {
     return (vpl.intensity * min(g, bound)) * vpl.colour;
 }
 
+// What that bound cuts off.
+vec3 irradianceCutOff(Receiver receiver, LightData vpl, float bound) {
+    const float g = geometryTerm(receiver.normal, vpl.direction, vpl.position - receiver.position);
+    return (vpl.intensity * max(g - bound, 0.0f)) * vpl.colour;
+}
+
 // Irradiance at the receiver from any light, without visibility. The bound is for VPLs only: here nothing is cut.
 vec3 irradianceOfLight(Receiver receiver, LightData light) {
     const vec3 spectrum = light.intensity * light.colour;

@@ -29,6 +29,8 @@ MANYLIGHT_CONSTANT(int, kBindingDisplay, 20);           // image RGBA8: what is 
 MANYLIGHT_CONSTANT(int, kBindingVplTexels, 21);         // storage texel buffer, RGBA32F: kTexelsPerLight per VPL
 MANYLIGHT_CONSTANT(int, kBindingRayQueries, 22);        // storage: RayQuery
 MANYLIGHT_CONSTANT(int, kBindingRayAnswers, 23);        // storage: RayHit or a uint flag per RayQuery
+MANYLIGHT_CONSTANT(int, kBindingRoundingError, 24);     // image RGBA32F: what the sum over frames lost by rounding
+MANYLIGHT_CONSTANT(int, kBindingSquaredDeviations, 25); // image RGBA32F: from the mean, summed over frames
 
 MANYLIGHT_SHARED_END
 #endif

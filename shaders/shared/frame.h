@@ -26,6 +26,7 @@ struct FrameConstants {
     uint vplCount;         // VPLs shaded in this frame
     uint lightSampleCount; // points sampled on area lights and directions of the environment
     uint triangleCount;
+    uint bounceCount;      // surfaces a light path may meet
     // A path tracer chooses an emitter with probability emitterPowerShare * its power + emitterEqualShare.
     float emitterPowerShare;
     float emitterEqualShare;

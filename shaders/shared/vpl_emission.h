@@ -9,6 +9,7 @@ MANYLIGHT_CONSTANT(uint, kScanGroupSize, 256u);
 
 // Paths are traced in batches, so that the slots of a batch (paths * depth) fit a small buffer at any VPL count.
 MANYLIGHT_CONSTANT(uint, kPathsPerBatch, 4096u);
+MANYLIGHT_CONSTANT(uint, kVerticesPerBatch, 1u << 18);  // slots; 16 MiB
 
 // A path of many bounces is traced in several dispatches: lavapipe ends every loop silently after 65,535 iterations.
 MANYLIGHT_CONSTANT(uint, kBouncesPerDispatch, 16u);

@@ -40,7 +40,7 @@ TEST(Settings, EveryOptionIsAppliedFromText) {
 TEST(Settings, ErrorsNameOptionValueAndWhatWasExpected) {
     RenderSettings settings;
     EXPECT_EQ(messageOf([&] { applySetting(settings, "technique", "warp"); }),
-              "--technique warp: expected one of deferred, forward, forward-prepass");
+              "--technique warp: expected one of deferred, forward, forward-prepass, path-tracer");
     for (const char* size : {"5", "5x", "x5", "0x5", "-1x5", "5x5x5", "99999999999x1"})
         EXPECT_THAT(messageOf([&] { applySetting(settings, "size", size); }), HasSubstr("--size")) << size;
     for (const char* count : {"", "-1", "1.5", "1e3", "nan", "99999999999999999999"})

@@ -3,6 +3,7 @@
 #include "shaders/shared/frame.h"
 #include "shaders/shared/lights.h"
 #include "shaders/shared/material.h"
+#include "shaders/shared/path_trace.h"
 #include "shaders/shared/ray.h"
 #include "shaders/shared/show.h"
 #include "shaders/shared/tonemap.h"
@@ -38,7 +39,9 @@ const std::map<std::string, ExpectedStruct> kStructs = {
        MEMBER(FrameConstants, sceneCenter), MEMBER(FrameConstants, sceneRadius),
        MEMBER(FrameConstants, environmentRadiance), MEMBER(FrameConstants, geometryBound),
        MEMBER(FrameConstants, pathCount), MEMBER(FrameConstants, vplCount), MEMBER(FrameConstants, lightSampleCount),
-       MEMBER(FrameConstants, triangleCount)},
+       MEMBER(FrameConstants, triangleCount), MEMBER(FrameConstants, bounceCount),
+       MEMBER(FrameConstants, emitterPowerShare), MEMBER(FrameConstants, emitterEqualShare),
+       MEMBER(FrameConstants, environmentProbability)},
       sizeof(shared::FrameConstants)}},
     {"LightData",
      {{MEMBER(LightData, position), MEMBER(LightData, intensity), MEMBER(LightData, direction), MEMBER(LightData, kind),
@@ -66,6 +69,15 @@ const std::map<std::string, ExpectedStruct> kStructs = {
      {{MEMBER(FrameStatus, loopBudgetExceeded), MEMBER(FrameStatus, shadingNormalsCapped),
        MEMBER(FrameStatus, pathsTruncated), MEMBER(FrameStatus, vplsTraced), MEMBER(FrameStatus, vplsShaded)},
       sizeof(shared::FrameStatus)}},
+    {"PathState",
+     {{MEMBER(PathState, origin), MEMBER(PathState, isAlive), MEMBER(PathState, direction), MEMBER(PathState, density),
+       MEMBER(PathState, throughput), MEMBER(PathState, scatterings), MEMBER(PathState, normal),
+       MEMBER(PathState, unused), MEMBER(PathState, radiance), MEMBER(PathState, unused2)},
+      sizeof(shared::PathState)}},
+    {"PathTracePush",
+     {{MEMBER(PathTracePush, firstRow), MEMBER(PathTracePush, endRow), MEMBER(PathTracePush, minScatterings),
+       MEMBER(PathTracePush, maxScatterings), MEMBER(PathTracePush, russianRoulette), MEMBER(PathTracePush, jitter)},
+      sizeof(shared::PathTracePush)}},
     {"RayQuery",
      {{MEMBER(RayQuery, origin), MEMBER(RayQuery, tMax), MEMBER(RayQuery, direction), MEMBER(RayQuery, unused)},
       sizeof(shared::RayQuery)}},

@@ -128,6 +128,21 @@ TEST(VplShading, BackSidesNeitherShineNorReceive) {
     EXPECT_EQ(shared::irradianceOfVpl(receiver, surfaceLight({0.1f, -1, 0}, up, 1.0f), kNoBound).x, 0.0f);
 }
 
+TEST(VplShading, WhatTheBoundLeavesAndWhatItCutsOffMakeTheWhole) {
+    const glm::vec3 up(0, 1, 0);
+    const Receiver receiver{glm::vec3(0.0f), up, up};
+    for (const float height : {0.01f, 0.5f, 3.0f}) {
+        const LightData vpl = surfaceLight({0.2f, height, -0.1f}, -up, 1.5f);
+        const glm::vec3 whole = shared::irradianceOfVpl(receiver, vpl, kNoBound);
+        for (const float bound : {0.0f, 1e-2f, 1.0f, 1e9f}) {
+            const glm::vec3 parts =
+                shared::irradianceOfVpl(receiver, vpl, bound) + shared::irradianceCutOff(receiver, vpl, bound);
+            ASSERT_NEAR(parts.x, whole.x, 1e-6f * whole.x);
+        }
+        EXPECT_EQ(shared::irradianceCutOff(receiver, vpl, kNoBound), glm::vec3(0.0f));
+    }
+}
+
 TEST(VplShading, TheBoundCutsTheGeometryTermOfVplsOnly) {
     const glm::vec3 up(0, 1, 0);
     const Receiver receiver{glm::vec3(0.0f), up, up};

@@ -1,0 +1,12 @@
+// The light that the bound on the geometry term takes from the VPLs, given back by short paths (Kollig and Keller 2006).
+#pragma once
+
+#include "engine/passes/gbuffer.h"
+
+namespace manylight {
+
+/// Adds to `radiance` and returns its new version. `vpls`: the list that the gather reads.
+ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
+                            BufferHandle vpls, ImageHandle radiance, uint32_t width, uint32_t height);
+
+}  // namespace manylight
