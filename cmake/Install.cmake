@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(manylight_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/manylight)
 
 # The order of the dependency arrow; manylight_shaders carries no file but is on gpu's link line.
-set(MANYLIGHT_LIBRARIES core math image scene accel gpu graph passes techniques)
+set(MANYLIGHT_LIBRARIES core math image metrics scene accel gpu graph passes techniques)
 list(TRANSFORM MANYLIGHT_LIBRARIES PREPEND manylight_ OUTPUT_VARIABLE manylight_library_targets)
 
 install(TARGETS ${manylight_library_targets} manylight_shaders EXPORT manylight

@@ -138,6 +138,10 @@ Image readExrLayer(const std::filesystem::path& path, const std::string& name,
     });
 }
 
+std::vector<std::string> exrChannelNames(const std::filesystem::path& path) {
+    return withExrFile(path, [](Imf::InputFile& file) { return channelNames(file.header().channels()); });
+}
+
 std::map<std::string, std::string> readExrAttributes(const std::filesystem::path& path) {
     return withExrFile(path, [](Imf::InputFile& file) {
         std::map<std::string, std::string> attributes;

@@ -30,6 +30,9 @@ Image readExr(const std::filesystem::path& path);
 Image readExrLayer(const std::filesystem::path& path, const std::string& name,
                    const std::vector<std::string>& suffixes);
 
+/// Names of all channels of an EXR file, layers' names included. Throws Error.
+std::vector<std::string> exrChannelNames(const std::filesystem::path& path);
+
 /// String attributes of an EXR file.
 std::map<std::string, std::string> readExrAttributes(const std::filesystem::path& path);
 
