@@ -1,4 +1,5 @@
-// manylight-bench: timings, as text tables, CSV, JSON and plots.
+// manylight-bench: timings and errors, as text tables, CSV, JSON and plots.
+#include "apps/bench/error.h"
 #include "apps/bench/fps.h"
 #include "apps/bench/rays.h"
 #include "apps/common/command_line.h"
@@ -7,7 +8,7 @@
 
 int main(int argc, char** argv) {
     using namespace manylight;
-    CLI::App app{"Measures how fast Manylight is.", "manylight-bench"};
+    CLI::App app{"Measures how fast Manylight is, and how right.", "manylight-bench"};
     addStandardOptions(app);
     app.require_subcommand(0, 1);
     app.footer(
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
         "  manylight-bench fps scenes/cornell_box.json\n"
         "  manylight-bench fps scene.obj --vpls 20,200 --shadows off --size 640x360 --plot fps.png\n"
         "  manylight-bench rays courtyard.json --csv rays.csv\n"
+        "  manylight-bench error scenes/cornell_box.json --plot error.png\n"
         "  manylight-bench fps --help\n"
         "Exit codes: 0 done, 1 something failed (file, device), 2 wrong usage.");
     bool listDevices = false;
@@ -23,6 +25,7 @@ int main(int argc, char** argv) {
     const std::vector<BenchCommand> commands = {
         addFpsCommand(app),
         addRaysCommand(app),
+        addErrorCommand(app),
     };
 
     return runProgram(app, argc, argv, [&] {

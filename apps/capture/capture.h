@@ -10,9 +10,9 @@ namespace manylight {
 struct CaptureOptions {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs;  // .exr or .png
-    uint32_t frameCount = 0;     // 0: one, or as many as the time or the error take
-    double secondsBudget = 0.0;  // 0: none
-    double targetError = 0.0;    // 0: none; see Renderer::relativeStandardError()
+    uint32_t frameCount = 0;                     // 0: one, or as many as the time or the error take
+    double secondsBudget = 0.0;                  // 0: none
+    double targetError = 0.0;                    // 0: none; see Renderer::relativeStandardError()
     bool sideBySide = false;
     std::vector<std::string> aovs;
     std::filesystem::path report;

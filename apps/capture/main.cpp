@@ -31,7 +31,8 @@ int main(int argc, char** argv) {
                    "small as this")
         ->check(CLI::Range(0.0, 1e9));
     app.add_flag("--side-by-side", options.sideBySide, "local, global and both, beside each other in one PNG");
-    app.add_option("--aov", options.aovs, "EXR layers: normal,albedo,depth,position,material,variance,cut-off")->delimiter(',');
+    app.add_option("--aov", options.aovs, "EXR layers: normal,albedo,depth,position,material,variance,cut-off")
+        ->delimiter(',');
     app.add_option("--report", options.report, "run report as JSON");
     app.add_option("--dump-graph", options.dumpGraph, "write FILE.dot and FILE.json: the frame graph");
     app.add_option("--dump-pass", options.dumpPass, "write every image this pass wrote beside the output, as EXR");

@@ -1,8 +1,8 @@
 #include "engine/gpu/pipeline_cache.h"
 
+#include "engine/core/cache_folder.h"
 #include "engine/core/file.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,21 +14,13 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<fs::path> cacheFile(const Device& device) {
-    const char* cacheHome = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    fs::path folder;
-    if (cacheHome != nullptr && *cacheHome != '\0')
-        folder = cacheHome;
-    else if (home != nullptr && *home != '\0')
-        folder = fs::path(home) / ".cache";
-    else
-        return std::nullopt;
-
+    const std::optional<fs::path> folder = cacheFolder();
+    if (!folder) return std::nullopt;
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(device.physicalDevice(), &properties);
     std::string name = "pipelines-";
     for (const uint8_t byte : properties.pipelineCacheUUID) name += fmt::format("{:02x}", byte);
-    return folder / "manylight" / (name + fmt::format("-{:x}.bin", properties.driverVersion));
+    return *folder / (name + fmt::format("-{:x}.bin", properties.driverVersion));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The light that the bound on the geometry term takes from the VPLs, given back by short paths (Kollig and Keller 2006).
+// The light that the bound on the geometry term takes from the VPLs, given back by short paths (Kollig and Keller
+// 2006).
 #pragma once
 
 #include "engine/passes/gbuffer.h"

@@ -34,7 +34,8 @@ VkClearValue background(const ForwardOptions& options) {
 }  // namespace
 
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle vpls,
-                         const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount, uint32_t width, uint32_t height) {
+                         const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount,
+                         uint32_t width, uint32_t height) {
     const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
     const auto stretches = shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission);
     gpu::Specialisation common = surfaceOptions(plan);

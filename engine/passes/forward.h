@@ -13,7 +13,7 @@ struct ForwardOptions {
     uint32_t vplCount = 0;
     bool castShadows = true;
     bool showEmission = true;
-    bool compensates = false;  // for the bound on the geometry term, see compensation.h
+    bool compensates = false;             // for the bound on the geometry term, see compensation.h
     glm::vec3 environmentRadiance{0.0f};  // where no surface is seen
 };
 
@@ -25,6 +25,7 @@ struct ForwardResult {
 /// `prepass`: only what it saw is shaded; without it the fragments of hidden surfaces that come first are shaded too,
 /// as the original system did. More lights than a draw may take on are drawn again, adding, on what is seen.
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle vpls,
-                         const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount, uint32_t width, uint32_t height);
+                         const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount,
+                         uint32_t width, uint32_t height);
 
 }  // namespace manylight

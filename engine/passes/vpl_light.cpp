@@ -14,7 +14,9 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
     const uint32_t pixelsPerThread = shadows ? 1u : options.pixelsPerInvocation;
     for (const shared::ShadePush& push : shadingStretches(0, options.vplCount, limit, false)) {
         const bool adds = radiance.has_value();
-        if (!adds) radiance = graph.createImage(options.cutOff ? "cut off" : "radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+        if (!adds)
+            radiance = graph.createImage(options.cutOff ? "cut off" : "radiance",
+                                         {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
         PassBuilder pass = graph.addPass(options.cutOff ? "vpl_cut_off" : "vpl_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
         pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)

@@ -12,14 +12,15 @@ TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, 
     std::optional<Visibility> prepass;
     if (settings.technique == Technique::ForwardPrepass)
         prepass = addVisibility(graph, scene, triangleCount, settings.width, settings.height);
-    const ForwardResult forward = addForward(graph, scene, inputs.plan, lights.vpls,
-                                             {.lightCount = lights.lightCount,
-                                              .vplCount = lights.vplCount,
-                                              .castShadows = settings.castShadows,
-                                              .showEmission = settings.lighting != Lighting::Global,
-                                              .compensates = lights.vplCount > 0 && settings.clamp == ClampMode::Compensate,
-                                              .environmentRadiance = inputs.environmentRadiance},
-                                             prepass, triangleCount, settings.width, settings.height);
+    const ForwardResult forward =
+        addForward(graph, scene, inputs.plan, lights.vpls,
+                   {.lightCount = lights.lightCount,
+                    .vplCount = lights.vplCount,
+                    .castShadows = settings.castShadows,
+                    .showEmission = settings.lighting != Lighting::Global,
+                    .compensates = lights.vplCount > 0 && settings.clamp == ClampMode::Compensate,
+                    .environmentRadiance = inputs.environmentRadiance},
+                   prepass, triangleCount, settings.width, settings.height);
     return {forward.radiance, forward.depth, lights.list()};
 }
 

@@ -1,0 +1,61 @@
+#include "apps/bench/scene_key.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <type_traits>
+
+namespace manylight {
+namespace {
+
+/// Fields one by one, as structs may have padding.
+class Key {
+  public:
+    template <typename... Fields>
+    void add(const Fields&... fields) {
+        (addOne(fields), ...);
+    }
+    void addBytes(const void* bytes, size_t size) {
+        const std::string_view text(static_cast<const char*>(bytes), size);
+        key_ = key_ * 0x9e3779b97f4a7c15u + std::hash<std::string_view>{}(text);
+    }
+    uint64_t value() const { return key_; }
+
+  private:
+    template <typename Field>
+    void addOne(const Field& field) {
+        static_assert(std::is_trivially_copyable_v<Field> && std::has_unique_object_representations_v<Field>);
+        addBytes(&field, sizeof(field));
+    }
+    void addOne(float value) { addBytes(&value, sizeof(value)); }
+    void addOne(const glm::vec3& v) { addBytes(&v, sizeof(v)); }
+    void addOne(const glm::vec2& v) { addBytes(&v, sizeof(v)); }
+
+    uint64_t key_ = 0;
+};
+
+void addSurfaces(Key& key, const Scene& scene) {
+    for (const Vertex& vertex : scene.vertices) key.add(vertex.position, vertex.normal, vertex.uv);
+    for (const Triangle& triangle : scene.triangles) key.add(triangle.vertex, triangle.material);
+    for (const Material& material : scene.materials)
+        key.add(material.albedo, material.albedoTexture, material.emittedRadiance);
+    for (const Texture& texture : scene.textures) {
+        key.add(texture.width, texture.height, texture.wrapU, texture.wrapV, texture.filter);
+        key.addBytes(texture.rgba.data(), texture.rgba.size());
+    }
+}
+
+}  // namespace
+
+std::string sceneKey(const Scene& scene, const RenderSettings& settings) {
+    Key key;
+    addSurfaces(key, scene);
+    for (const Light& light : scene.lights)
+        key.add(light.type, light.position, light.direction, light.emission, light.cosCutoff, light.cosBeam);
+    const Camera& camera = scene.cameras[settings.camera];
+    key.add(camera.origin, camera.forward, camera.up, camera.verticalFov);
+    key.add(settings.width, settings.height, settings.lighting, settings.bounceCount.value_or(-1));
+    return fmt::format("{:016x}", key.value());
+}
+
+}  // namespace manylight
