@@ -17,7 +17,7 @@ struct ToneCurve {
     float operator()(float x) const { return (x * (a * x + b)) / (x * (c * x + d) + e); }
 };
 constexpr float kExposure = 0.6f;  // undone in the curve: 1 shall stay about 0.8
-constexpr ToneCurve kToneCurve{2.51f * kExposure * kExposure, 0.03f * kExposure, 2.43f * kExposure * kExposure,
+constexpr ToneCurve kToneCurve{2.51f * kExposure * kExposure, 0.03f * kExposure, 2.43f * kExposure* kExposure,
                                0.59f * kExposure, 0.14f};
 constexpr float kSaturation = 1e6f;  // the curve has passed 1 long before; its square is still finite
 
@@ -114,7 +114,8 @@ std::optional<FlipResult> hdrFlip(const Image& test, const Image& reference, con
     for (uint32_t i = 0; i < exposures->count; ++i) {
         const double gain = std::exp2(exposures->at(i));
         const auto show = [gain](float value) {
-            const auto exposed = static_cast<float>(std::clamp(gain * double{value}, -1.0 * kSaturation, 1.0 * kSaturation));
+            const auto exposed =
+                static_cast<float>(std::clamp(gain * double{value}, -1.0 * kSaturation, 1.0 * kSaturation));
             return std::clamp(kToneCurve(exposed), 0.0f, 1.0f);
         };
         const Plane map = flipOf(test, reference, comparison.isFinite, filters, show);

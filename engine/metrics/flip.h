@@ -31,11 +31,11 @@ struct FlipOptions {
 };
 
 struct FlipResult {
-    double mean = 0.0;           // over the compared pixels
-    Image map;                   // one channel: error of every pixel, 0 to 1; NaN where a picture is not finite
-    FlipExposures exposures;     // of HDR-FLIP
-    uint64_t pixels = 0;         // compared
-    uint64_t nonFinite = 0;      // left out of the mean, black in both pictures for their neighbours' sake
+    double mean = 0.0;        // over the compared pixels
+    Image map;                // one channel: error of every pixel, 0 to 1; NaN where a picture is not finite
+    FlipExposures exposures;  // of HDR-FLIP
+    uint64_t pixels = 0;      // compared
+    uint64_t nonFinite = 0;   // left out of the mean, black in both pictures for their neighbours' sake
 };
 
 /// Linear radiance, any range: the largest LDR-FLIP over the reference's exposures, at each pixel. Empty if the
