@@ -2,6 +2,7 @@
 // (Andersson2021) and for displayed ones. Agrees with the authors' evaluator; docs/measuring-error.md has the rest.
 #pragma once
 
+#include "engine/metrics/flip_perception.h"
 #include "engine/metrics/pixel_use.h"
 
 #include <optional>
@@ -41,6 +42,23 @@ struct FlipResult {
 /// Linear radiance, any range: the largest LDR-FLIP over the reference's exposures, at each pixel. Empty if the
 /// reference is black. Throws Error if no pixel is left to compare.
 std::optional<FlipResult> hdrFlip(const Image& test, const Image& reference, const FlipOptions& options = {});
+
+/// A reference that many pictures are compared with: its half of the work is done once. Holds 20 bytes for each pixel
+/// and exposure; a mask in `options` has to outlive it.
+class HdrFlipReference {
+  public:
+    explicit HdrFlipReference(Image reference, const FlipOptions& options = {});
+    /// hdrFlip(test, reference, options), to the bit.
+    std::optional<FlipResult> compare(const Image& test) const;
+
+  private:
+    Image reference_;
+    FlipOptions options_;
+    FlipFilters filters_;
+    std::vector<uint8_t> isFinite_;
+    std::optional<FlipExposures> exposures_;
+    std::vector<Perceived> perceived_;  // at each exposure
+};
 
 /// Display-linear values (decoded sRGB), clamped to [0, 1]. Throws Error if no pixel is left to compare.
 FlipResult ldrFlip(const Image& test, const Image& reference, const FlipOptions& options = {});

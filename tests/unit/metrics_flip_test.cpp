@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -167,6 +168,27 @@ TEST(Flip, PixelsThatAreNotFiniteAreLeftOutAndCounted) {
     // Far from both nothing changes; near them neighbours see a black pixel in both pictures.
     EXPECT_NEAR(flip.map.at(63, 0, 0), before.map.at(63, 0, 0), 1e-3);
     EXPECT_NEAR(flip.mean, before.mean, 0.02);
+}
+
+TEST(Flip, APreparedReferenceGivesTheSameBits) {
+    PicturePair pair = flipPictures("noise");
+    pair.reference.at(12, 40, 0) = std::numeric_limits<float>::infinity();
+    Mask mask{64, 48, std::vector<uint8_t>(64 * 48, 1)};
+    mask.uses[100] = 0;
+    const FlipOptions options{50.0, &mask};
+    const HdrFlipReference reference(pair.reference, options);
+    Image broken = pair.test;
+    broken.at(30, 20, 2) = std::numeric_limits<float>::quiet_NaN();
+    for (const Image* test : {&pair.test, &broken}) {
+        const FlipResult prepared = reference.compare(*test).value();
+        const FlipResult direct = hdrFlip(*test, pair.reference, options).value();
+        EXPECT_EQ(prepared.mean, direct.mean);
+        EXPECT_EQ(prepared.nonFinite, direct.nonFinite);
+        EXPECT_EQ(prepared.exposures.start, direct.exposures.start);
+        for (size_t i = 0; i < direct.map.texels.size(); ++i)
+            EXPECT_EQ(std::bit_cast<uint32_t>(prepared.map.texels[i]), std::bit_cast<uint32_t>(direct.map.texels[i]));
+    }
+    EXPECT_FALSE(HdrFlipReference(Image(8, 8, 3)).compare(Image(8, 8, 3)));
 }
 
 TEST(Flip, AMaskChoosesFromTheMapOfTheWholePicture) {
