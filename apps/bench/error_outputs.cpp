@@ -1,13 +1,10 @@
 #include "apps/bench/error_outputs.h"
 
 #include "engine/image/image_io.h"
-#include "engine/metrics/false_colour.h"
-#include "engine/metrics/flip.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace manylight {
 namespace {
@@ -52,34 +49,15 @@ Json toJson(const std::vector<Comparison>& comparisons, const char* place) {
     return rows;
 }
 
-float encodeSrgb(float linear) {
-    const float x = std::clamp(linear, 0.0f, 1.0f);
-    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-}
-
-uint8_t byteFrom(float value) { return static_cast<uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))); }
-
-/// As a photograph of the mean radiance 0.25 would show it; a picture to look at, no measurement.
+/// As a photograph of a mean radiance of 0.5 would show it: a picture to look at, no measurement.
 void writeDisplayed(const std::filesystem::path& path, const Image& image, float scale) {
-    std::vector<uint8_t> rgba;
-    for (size_t i = 0; i < image.texels.size(); i += 3) {
-        for (size_t c = 0; c < 3; ++c) {
-            const float x = scale * image.texels[i + c];
-            rgba.push_back(byteFrom(encodeSrgb(x * (1.0f + x / 16.0f) / (1.0f + x))));
-        }
-        rgba.push_back(255);
+    constexpr float kWhite = 4.0f;
+    Image display = image;
+    for (float& value : display.texels) {
+        const float x = scale * value;
+        value = std::min(x * (1.0f + x / (kWhite * kWhite)) / (1.0f + x), 1.0f);
     }
-    writePng8(path, image.width, image.height, rgba);
-}
-
-void writeFlipMap(const std::filesystem::path& path, const Image& map) {
-    std::vector<uint8_t> rgba;
-    for (const float error : map.texels) {
-        const glm::vec3 colour = magma(error);
-        for (int c = 0; c < 3; ++c) rgba.push_back(byteFrom(colour[c]));
-        rgba.push_back(255);
-    }
-    writePng8(path, map.width, map.height, rgba);
+    writePng(path, display);
 }
 
 float displayScale(const Image& reference) {
@@ -144,7 +122,6 @@ void writePictures(const std::filesystem::path& folder, const ErrorRun& run) {
         writeExr(folder / (stem + ".exr"), {{"", rgb, image}},
                  {{"manylight.scene", run.sceneName}, {"manylight.mode", run.modes[i].mode.name}});
         writeDisplayed(folder / (stem + ".png"), image, scale);
-        if (const auto flip = hdrFlip(image, reference)) writeFlipMap(folder / (stem + "-flip.png"), flip->map);
     }
 }
 

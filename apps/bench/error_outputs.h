@@ -9,8 +9,7 @@ std::string errorTable(const ErrorOptions& options, const ErrorRun& run, const E
 std::string errorCsv(const ErrorSummary& summary);
 Json errorJson(const ErrorOptions& options, const ErrorRun& run, const ErrorSummary& summary);
 
-/// reference.exr and .png, and for every mode its last picture of the first seed as mode-N.exr and .png with its FLIP
-/// map, mode-N-flip.png.
+/// reference.exr and .png, and for every mode its last picture of the first seed as mode-N.exr and .png.
 void writePictures(const std::filesystem::path& folder, const ErrorRun& run);
 
 }  // namespace manylight

@@ -26,28 +26,33 @@ struct PictureError {
     std::optional<double> flip;
 };
 
-PictureError measurePicture(const Image& image, const Image& reference, bool withFlip) {
-    PictureError error{compareImages(image, reference), std::nullopt};
-    if (withFlip)
-        if (const auto flip = hdrFlip(image, reference)) error.flip = flip->mean;
+/// The reference, prepared.
+struct Truth {
+    const Reference& reference;
+    std::optional<HdrFlipReference> flip;  // if FLIP is asked for
+};
+
+PictureError measurePicture(const Image& image, const Truth& truth) {
+    PictureError error{compareImages(image, truth.reference.image), std::nullopt};
+    if (truth.flip)
+        if (const auto flip = truth.flip->compare(image)) error.flip = flip->mean;
     return error;
 }
 
 /// Side by side: FLIP takes long.
-std::vector<PictureError> measurePictures(const std::vector<Image>& images, const Image& reference, bool withFlip) {
+std::vector<PictureError> measurePictures(const std::vector<Image>& images, const Truth& truth) {
     std::vector<std::future<PictureError>> tasks;
     for (const Image& image : images)
-        tasks.push_back(
-            std::async(std::launch::async, measurePicture, std::cref(image), std::cref(reference), withFlip));
+        tasks.push_back(std::async(std::launch::async, measurePicture, std::cref(image), std::cref(truth)));
     std::vector<PictureError> errors;
     for (auto& task : tasks) errors.push_back(task.get());
     return errors;
 }
 
-ErrorRow makeRow(const Checkpoint& checkpoint, const Reference& reference, bool withFlip) {
+ErrorRow makeRow(const Checkpoint& checkpoint, const Truth& truth) {
     std::vector<double> rmse, withoutWorst, relativeMse, flip;
     ErrorRow row;
-    for (const PictureError& error : measurePictures(checkpoint.images, reference.image, withFlip)) {
+    for (const PictureError& error : measurePictures(checkpoint.images, truth)) {
         rmse.push_back(error.report.rmse);
         withoutWorst.push_back(error.report.rmseWithoutWorst);
         if (error.report.relativeMse) relativeMse.push_back(*error.report.relativeMse);
@@ -60,10 +65,10 @@ ErrorRow makeRow(const Checkpoint& checkpoint, const Reference& reference, bool 
     row.rmseWithoutWorst = estimate(withoutWorst);
     if (relativeMse.size() == rmse.size()) row.relativeMse = estimate(relativeMse);
     if (flip.size() == rmse.size()) row.flip = estimate(flip);
-    const ErrorSplit split = splitError(checkpoint.images, reference.image);
+    const ErrorSplit split = splitError(checkpoint.images, truth.reference.image);
     row.biasSquared = split.biasSquared;
     row.variance = split.variance;
-    row.isMeasurable = row.rmse.mean > kMeasurable * reference.rmse.value_or(0.0);
+    row.isMeasurable = row.rmse.mean > kMeasurable * truth.reference.rmse.value_or(0.0);
     return row;
 }
 
@@ -87,19 +92,20 @@ std::optional<Estimate> slopeOf(const ModeRun& run, const std::vector<ErrorRow>&
     return estimate(slopes);
 }
 
-ModeSummary summariseMode(const ModeRun& run, const Reference& reference, bool withFlip, Progress& progress) {
+ModeSummary summariseMode(const ModeRun& run, const Truth& truth, Progress& progress) {
+    const Image& reference = truth.reference.image;
     ModeSummary summary;
     summary.name = run.mode.name;
     summary.frameMilliseconds = run.frameSeconds.empty() ? 0.0 : 1000.0 * median(run.frameSeconds);
     summary.warmUpSeconds = run.warmUpSeconds;
     for (const Checkpoint& checkpoint : run.checkpoints) {
-        summary.rows.push_back(makeRow(checkpoint, reference, withFlip));
+        summary.rows.push_back(makeRow(checkpoint, truth));
         progress.advance();
     }
-    summary.slope = slopeOf(run, summary.rows, reference.image, &ErrorReport::rmse);
-    summary.slopeWithoutWorst = slopeOf(run, summary.rows, reference.image, &ErrorReport::rmseWithoutWorst);
+    summary.slope = slopeOf(run, summary.rows, reference, &ErrorReport::rmse);
+    summary.slopeWithoutWorst = slopeOf(run, summary.rows, reference, &ErrorReport::rmseWithoutWorst);
     std::vector<double> missing;
-    for (const Image& image : run.checkpoints.back().images) missing.push_back(meanOf(reference.image) - meanOf(image));
+    for (const Image& image : run.checkpoints.back().images) missing.push_back(meanOf(reference) - meanOf(image));
     summary.missing = estimate(missing);
     if (run.cutOff.size() > 1) summary.cutOff = estimate(run.cutOff);
     return summary;
@@ -161,10 +167,11 @@ Estimate estimate(const std::vector<double>& samples) {
 ErrorSummary summarise(const ErrorRun& run, const ErrorOptions& options) {
     size_t checkpoints = 0;
     for (const ModeRun& mode : run.modes) checkpoints += mode.checkpoints.size();
+    Truth truth{run.reference, std::nullopt};
+    if (options.flip) truth.flip.emplace(run.reference.image);
     Progress progress("comparing", checkpoints);
     ErrorSummary summary;
-    for (const ModeRun& mode : run.modes)
-        summary.modes.push_back(summariseMode(mode, run.reference, options.flip, progress));
+    for (const ModeRun& mode : run.modes) summary.modes.push_back(summariseMode(mode, truth, progress));
     for (const double seconds : commonPlaces(summary.modes, true))
         summary.equalTime.push_back(compareAt(summary.modes, seconds, true));
     for (const double rmse : commonPlaces(summary.modes, false))

@@ -22,13 +22,15 @@ void checkOutputs(const CompareOptions& options) {
         requireWritable(picture);
     }
     if (!options.jsonFile.empty()) requireWritable(options.jsonFile);
-    if (options.flip == FlipKind::Off && !options.flipMap.empty()) failUsage("--flip-map and --flip off: what to draw?");
+    if (options.flip == FlipKind::Off && !options.flipMap.empty())
+        failUsage("--flip-map and --flip off: what to draw?");
     if (options.differenceRange && options.difference.empty())
         failUsage("--difference-range: expected --difference FILE.png too");
 }
 
 FlipKind flipKindOf(const CompareOptions& options, const CompareInputs& inputs) {
-    if (!inputs.isColour && options.flip != FlipKind::Off && (options.flip != FlipKind::Auto || !options.flipMap.empty()))
+    if (!inputs.isColour && options.flip != FlipKind::Off &&
+        (options.flip != FlipKind::Auto || !options.flipMap.empty()))
         failUsage("--layer {}: FLIP compares colours, and these are none", options.layer);
     if (!inputs.isColour) return FlipKind::Off;
     if (options.flip != FlipKind::Auto) return options.flip;
@@ -79,7 +81,8 @@ void compare(const CompareOptions& options) {
 
     std::vector<std::string> failures = exceeded(limits, numbers);
     if (numbers.error.nonFinite > 0 && !options.allowNonFinite)
-        failures.push_back(fmt::format("{} pixels are not finite (--allow-nonfinite accepts that)", numbers.error.nonFinite));
+        failures.push_back(
+            fmt::format("{} pixels are not finite (--allow-nonfinite accepts that)", numbers.error.nonFinite));
     if (!failures.empty()) fail("{}", fmt::join(failures, "; "));
 }
 

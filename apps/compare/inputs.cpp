@@ -49,7 +49,7 @@ std::vector<std::string> suffixesOf(const fs::path& path, const std::string& lay
 
 /// A layer of one channel is shown as grey.
 Image readLayer(const fs::path& path, const std::string& layer, const std::vector<std::string>& suffixes) {
-    const Image stored = readExrLayer(path, layer, suffixes);
+    Image stored = readExrLayer(path, layer, suffixes);
     if (stored.channels == 3) return stored;
     Image image(stored.width, stored.height, 3);
     for (size_t i = 0; i < image.texels.size(); ++i) image.texels[i] = stored.texels[i / 3];

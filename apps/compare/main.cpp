@@ -20,10 +20,15 @@ int main(int argc, char** argv) {
 
     CompareOptions options;
     app.add_option("test", options.test, "the picture: EXR (linear radiance), or PNG, JPEG, TGA, BMP (sRGB)")
+        ->type_name("FILE")
         ->required();
-    app.add_option("reference", options.reference, "what it should be: of the same kind and size")->required();
-    app.add_option("--layer", options.layer, "compare this layer of the EXR files, not the main image");
-    app.add_option("--mask", options.mask, "picture of the same size: only pixels that are not black in it count");
+    app.add_option("reference", options.reference, "what it should be: of the same kind and size")
+        ->type_name("FILE")
+        ->required();
+    app.add_option("--layer", options.layer, "compare this layer of the EXR files, not the main image")
+        ->type_name("NAME");
+    app.add_option("--mask", options.mask, "picture of the same size: only pixels that are not black in it count")
+        ->type_name("FILE");
     app.add_option("--crop", options.crop, "compare this rectangle only, as if it were cut out")->type_name("X,Y,W,H");
     app.add_option("--flip", options.flip, "auto: hdr for EXR, ldr for PNG and the like")
         ->transform(CLI::CheckedTransformer(std::map<std::string, FlipKind>{
@@ -33,9 +38,9 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(kMinPixelsPerDegree, kMaxPixelsPerDegree))
         ->option_text("N [67.02]");
     app.add_option("--fail-above", options.failAbove,
-                   fmt::format("end with code 1 if a number is larger; may be repeated. Numbers: {}",
-                               fmt::join(limitNames(), ", ")))
-        ->type_name("NUMBER=VALUE");
+                   fmt::format("end with code 1 if it is larger; may be repeated. {}", fmt::join(limitNames(), "|")))
+        ->type_name("NUMBER=VALUE")
+        ->allow_extra_args(false);  // or it would swallow the pictures
     app.add_flag("--allow-nonfinite", options.allowNonFinite, "do not fail because of pixels that are not finite");
     app.add_flag("--json", options.json, "print JSON instead of the table")->group("Output");
     app.add_option("--json-file", options.jsonFile, "write the JSON")->type_name("FILE")->group("Output");
@@ -44,6 +49,7 @@ int main(int argc, char** argv) {
         ->group("Output");
     app.add_option("--difference-range", options.differenceRange, "relative error at the scale's ends, 0.1 for 10 %")
         ->check(CLI::PositiveNumber)
+        ->type_name("X")
         ->group("Output");
     app.add_option("--flip-map", options.flipMap, "FLIP's error map in its colours")
         ->type_name("FILE.png")

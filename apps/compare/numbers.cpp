@@ -64,8 +64,10 @@ std::string numbersToText(const CompareOptions& options, const CompareNumbers& n
     const std::string worst = fmt::format("{} pixels", error.worstPixels);
     text += "\n\n" + line("RMSE", number(error.rmse));
     text += line("  without the worst 0.1 %", number(error.rmseWithoutWorst), worst);
-    text += line("  share of the worst 0.1 %", fmt::format("{:.2f} %", 100.0 * error.worstShare), "of the squared error");
-    text += line("relative MSE", numberOr(error.relativeMse), "(v - r)² / (r² + 0.01), over the reference's mean luminance");
+    text +=
+        line("  share of the worst 0.1 %", fmt::format("{:.2f} %", 100.0 * error.worstShare), "of the squared error");
+    text += line("relative MSE", numberOr(error.relativeMse),
+                 "(v - r)² / (r² + 0.01), over the reference's mean luminance");
     text += line("SMAPE", numberOr(error.smape), "|v - r| / (|v| + |r| + 0.01), likewise");
     return text + flipText(options, numbers) + meansText(error);
 }

@@ -62,15 +62,15 @@ std::string writeDifference(const std::filesystem::path& path, const CompareInpu
         return use.uses[i] ? blueGreyRed(static_cast<float>(relative[i] / end)) : kNotFinite;
     });
     const auto beyond = std::count_if(sizes.begin(), sizes.end(), [end](double size) { return size > end; });
-    return fmt::format("{}: blue {:+.6g} % or less, grey 0, red {:+.6g} % or more; beyond the scale {:.2f} % of the pixels\n",
-                       path.string(), -100.0 * end, 100.0 * end,
-                       100.0 * static_cast<double>(beyond) / static_cast<double>(sizes.size()));
+    return fmt::format(
+        "{}: blue {:+.6g} % or less, grey 0, red {:+.6g} % or more; beyond the scale {:.2f} % of the pixels\n",
+        path.string(), -100.0 * end, 100.0 * end,
+        100.0 * static_cast<double>(beyond) / static_cast<double>(sizes.size()));
 }
 
 std::string writeFlipMap(const std::filesystem::path& path, const CompareInputs& inputs, const FlipResult& flip) {
-    writeFalseColour(path, inputs, [&](size_t i) {
-        return std::isnan(flip.map.texels[i]) ? kNotFinite : magma(flip.map.texels[i]);
-    });
+    writeFalseColour(path, inputs,
+                     [&](size_t i) { return std::isnan(flip.map.texels[i]) ? kNotFinite : magma(flip.map.texels[i]); });
     return fmt::format("{}: FLIP, black 0, purple 0.25, red 0.5, orange 0.75, pale yellow 1\n", path.string());
 }
 

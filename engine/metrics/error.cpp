@@ -71,19 +71,21 @@ void addSquaredErrors(ErrorReport& report, const std::vector<double>& squares) {
     report.rmse = std::sqrt(total / static_cast<double>(3 * count));
     report.worstPixels = worstCount;
     report.worstShare = total > 0.0 ? worst / total : 0.0;
-    report.rmseWithoutWorst = count > worstCount ? std::sqrt(others / static_cast<double>(3 * (count - worstCount))) : 0;
+    report.rmseWithoutWorst =
+        count > worstCount ? std::sqrt(others / static_cast<double>(3 * (count - worstCount))) : 0;
 }
 
 void addRelativeErrors(ErrorReport& report, const Image& test, const Image& reference,
                        const std::vector<uint8_t>& uses) {
     if (!(report.meanLuminanceReference > 0.0)) return;
+    const double scale = 1.0 / report.meanLuminanceReference;
     double squares = 0.0;
     double shares = 0.0;
     for (size_t i = 0; i < uses.size(); ++i) {
         if (!uses[i]) continue;
         for (size_t c = 0; c < 3; ++c) {
-            const double v = double{test.texels[i * 3 + c]} / report.meanLuminanceReference;
-            const double r = double{reference.texels[i * 3 + c]} / report.meanLuminanceReference;
+            const double v = double{test.texels[i * 3 + c]} * scale;
+            const double r = double{reference.texels[i * 3 + c]} * scale;
             squares += (v - r) * (v - r) / (r * r + kRelativeErrorEpsilon);
             shares += std::abs(v - r) / (std::abs(v) + std::abs(r) + kRelativeErrorEpsilon);
         }

@@ -1,7 +1,6 @@
 #include "engine/metrics/flip.h"
 
 #include "engine/core/check.h"
-#include "engine/metrics/flip_perception.h"
 #include "engine/metrics/luminance.h"
 
 #include <algorithm>
@@ -17,7 +16,7 @@ struct ToneCurve {
     float operator()(float x) const { return (x * (a * x + b)) / (x * (c * x + d) + e); }
 };
 constexpr float kExposure = 0.6f;  // undone in the curve: 1 shall stay about 0.8
-constexpr ToneCurve kToneCurve{2.51f * kExposure * kExposure, 0.03f * kExposure, 2.43f * kExposure * kExposure,
+constexpr ToneCurve kToneCurve{2.51f * kExposure * kExposure, 0.03f * kExposure, 2.43f * kExposure* kExposure,
                                0.59f * kExposure, 0.14f};
 constexpr float kSaturation = 1e6f;  // the curve has passed 1 long before; its square is still finite
 
@@ -43,12 +42,17 @@ DisplayPlanes displayPlanes(const Image& image, const std::vector<uint8_t>& isFi
     return planes;
 }
 
-template <typename Show>
-Plane flipOf(const Image& test, const Image& reference, const std::vector<uint8_t>& isFinite,
-             const FlipFilters& filters, const Show& show) {
-    const Perceived perceivedTest = perceive(displayPlanes(test, isFinite, show), filters);
-    const Perceived perceivedReference = perceive(displayPlanes(reference, isFinite, show), filters);
-    return flipDifference(perceivedTest, perceivedReference);
+/// What is on the screen at `exposure` stops.
+DisplayPlanes exposed(const Image& image, const std::vector<uint8_t>& isFinite, double exposure) {
+    const double gain = std::exp2(exposure);
+    return displayPlanes(image, isFinite, [gain](float value) {
+        const double bright = std::clamp(gain * double{value}, -1.0 * kSaturation, 1.0 * kSaturation);
+        return std::clamp(kToneCurve(static_cast<float>(bright)), 0.0f, 1.0f);
+    });
+}
+
+void keepLarger(Plane& largest, const Plane& map) {
+    for (size_t i = 0; i < map.values.size(); ++i) largest.values[i] = std::max(largest.values[i], map.values[i]);
 }
 
 /// What both kinds of FLIP begin and end with.
@@ -110,25 +114,46 @@ std::optional<FlipResult> hdrFlip(const Image& test, const Image& reference, con
     if (!exposures) return std::nullopt;
 
     const FlipFilters filters = flipFilters(options.pixelsPerDegree);
-    Plane worst(reference.width, reference.height);
+    Plane largest(reference.width, reference.height);
     for (uint32_t i = 0; i < exposures->count; ++i) {
-        const double gain = std::exp2(exposures->at(i));
-        const auto show = [gain](float value) {
-            const auto exposed = static_cast<float>(std::clamp(gain * double{value}, -1.0 * kSaturation, 1.0 * kSaturation));
-            return std::clamp(kToneCurve(exposed), 0.0f, 1.0f);
+        const auto perceived = [&](const Image& image) {
+            return perceive(exposed(image, comparison.isFinite, exposures->at(i)), filters);
         };
-        const Plane map = flipOf(test, reference, comparison.isFinite, filters, show);
-        for (size_t pixel = 0; pixel < map.values.size(); ++pixel)
-            worst.values[pixel] = std::max(worst.values[pixel], map.values[pixel]);
+        keepLarger(largest, flipDifference(perceived(test), perceived(reference)));
     }
-    return resultOf(worst, comparison, *exposures);
+    return resultOf(largest, comparison, *exposures);
+}
+
+HdrFlipReference::HdrFlipReference(Image reference, const FlipOptions& options)
+    : reference_(std::move(reference)), options_(options), filters_(flipFilters(options.pixelsPerDegree)) {
+    const Comparison comparison = comparisonOf(reference_, reference_, options_);
+    isFinite_ = comparison.isFinite;
+    exposures_ = flipExposures(reference_, comparison.use.uses);
+    for (uint32_t i = 0; exposures_ && i < exposures_->count; ++i)
+        perceived_.push_back(perceive(exposed(reference_, isFinite_, exposures_->at(i)), filters_));
+}
+
+std::optional<FlipResult> HdrFlipReference::compare(const Image& test) const {
+    const Comparison comparison = comparisonOf(test, reference_, options_);
+    // More black pixels in the test are more in the reference too.
+    if (comparison.isFinite != isFinite_) return hdrFlip(test, reference_, options_);
+    if (!exposures_) return std::nullopt;
+    Plane largest(reference_.width, reference_.height);
+    for (uint32_t i = 0; i < exposures_->count; ++i) {
+        const Perceived perceivedTest = perceive(exposed(test, isFinite_, exposures_->at(i)), filters_);
+        keepLarger(largest, flipDifference(perceivedTest, perceived_[i]));
+    }
+    return resultOf(largest, comparison, *exposures_);
 }
 
 FlipResult ldrFlip(const Image& test, const Image& reference, const FlipOptions& options) {
     const Comparison comparison = comparisonOf(test, reference, options);
-    const auto show = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
-    const Plane map = flipOf(test, reference, comparison.isFinite, flipFilters(options.pixelsPerDegree), show);
-    return resultOf(map, comparison, {});
+    const FlipFilters filters = flipFilters(options.pixelsPerDegree);
+    const auto perceived = [&](const Image& image) {
+        const auto show = [](float value) { return std::clamp(value, 0.0f, 1.0f); };
+        return perceive(displayPlanes(image, comparison.isFinite, show), filters);
+    };
+    return resultOf(flipDifference(perceived(test), perceived(reference)), comparison, {});
 }
 
 }  // namespace manylight

@@ -2,6 +2,7 @@
 // (Andersson2021) and for displayed ones. Agrees with the authors' evaluator; docs/measuring-error.md has the rest.
 #pragma once
 
+#include "engine/metrics/flip_perception.h"
 #include "engine/metrics/pixel_use.h"
 
 #include <optional>
@@ -31,16 +32,33 @@ struct FlipOptions {
 };
 
 struct FlipResult {
-    double mean = 0.0;           // over the compared pixels
-    Image map;                   // one channel: error of every pixel, 0 to 1; NaN where a picture is not finite
-    FlipExposures exposures;     // of HDR-FLIP
-    uint64_t pixels = 0;         // compared
-    uint64_t nonFinite = 0;      // left out of the mean, black in both pictures for their neighbours' sake
+    double mean = 0.0;        // over the compared pixels
+    Image map;                // one channel: error of every pixel, 0 to 1; NaN where a picture is not finite
+    FlipExposures exposures;  // of HDR-FLIP
+    uint64_t pixels = 0;      // compared
+    uint64_t nonFinite = 0;   // left out of the mean, black in both pictures for their neighbours' sake
 };
 
 /// Linear radiance, any range: the largest LDR-FLIP over the reference's exposures, at each pixel. Empty if the
 /// reference is black. Throws Error if no pixel is left to compare.
 std::optional<FlipResult> hdrFlip(const Image& test, const Image& reference, const FlipOptions& options = {});
+
+/// A reference that many pictures are compared with: its half of the work is done once. Holds 20 bytes for each pixel
+/// and exposure; a mask in `options` has to outlive it.
+class HdrFlipReference {
+  public:
+    explicit HdrFlipReference(Image reference, const FlipOptions& options = {});
+    /// hdrFlip(test, reference, options), to the bit.
+    std::optional<FlipResult> compare(const Image& test) const;
+
+  private:
+    Image reference_;
+    FlipOptions options_;
+    FlipFilters filters_;
+    std::vector<uint8_t> isFinite_;
+    std::optional<FlipExposures> exposures_;
+    std::vector<Perceived> perceived_;  // at each exposure
+};
 
 /// Display-linear values (decoded sRGB), clamped to [0, 1]. Throws Error if no pixel is left to compare.
 FlipResult ldrFlip(const Image& test, const Image& reference, const FlipOptions& options = {});

@@ -9,8 +9,8 @@ namespace manylight {
 namespace {
 
 constexpr double kPiSquared = double{shared::kPi} * double{shared::kPi};
-constexpr double kWidestVariance = 0.04;       // b of the widest Gaussian, in degrees² * 2π²
-constexpr double kFeatureWidth = 0.082;        // of an edge, in degrees
+constexpr double kWidestVariance = 0.04;         // b of the widest Gaussian, in degrees² * 2π²
+constexpr double kFeatureWidth = 0.082;          // of an edge, in degrees
 constexpr double kNegligible = 1.0 / (1 << 24);  // relative to the filter's largest weight
 
 /// a sqrt(π / b) exp(-π² x² / b): the form in which FLIP states its contrast sensitivity, x in degrees.

@@ -9,10 +9,9 @@ namespace manylight {
 bool isFinitePixel(const Image& image, size_t pixel) {
     constexpr uint32_t kExponent = 0x7f800000u;  // all ones: infinity or NaN, whatever the compiler assumes of floats
     const float* texel = &image.texels[pixel * image.channels];
-    bool isFinite = true;
     for (uint32_t c = 0; c < image.channels; ++c)
-        isFinite = isFinite && (std::bit_cast<uint32_t>(texel[c]) & kExponent) != kExponent;
-    return isFinite;
+        if ((std::bit_cast<uint32_t>(texel[c]) & kExponent) == kExponent) return false;
+    return true;
 }
 
 PixelUse pixelUse(const Image& test, const Image& reference, const Mask* mask) {

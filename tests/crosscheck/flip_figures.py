@@ -83,8 +83,8 @@ def figures(name, hdr, ppd):
 
 
 def main():
-    print("// What flip-evaluator " + metadata.version("flip-evaluator") + " (PyPI, the authors' own) says about the")
-    print("// pictures of flip_pictures.h. Written by tests/crosscheck/flip_figures.py, which says how to run it.")
+    print("// What flip-evaluator " + metadata.version("flip-evaluator") + " (PyPI, the authors' own) says about the pictures of")
+    print("// flip_pictures.h. Written by tests/crosscheck/flip_figures.py, which says how to run it.")
     print("#pragma once\n\n#include <cstdint>\n\nnamespace manylight::test {\n")
     print("struct FlipFigures {")
     print("    const char* picture;\n    bool isHdr;\n    double pixelsPerDegree;\n    double mean;")
@@ -94,8 +94,8 @@ def main():
     print("constexpr FlipFigures kFlipFigures[] = {")
     for name, hdr, ppd in CASES:
         mean, (start, stop, count), values = figures(name, hdr, ppd)
-        print('    {"%s", %s, %.10f, %.7f,' % (name, "true" if hdr else "false", ppd, mean))
-        print("     %.6f, %.6f, %d, {%s}}," % (start, stop, count, ", ".join("%.7f" % value for value in values)))
+        print('    {"%s", %s, %.10f, %.7f,' % (name, "true" if hdr else "false", ppd, mean), end=" ")
+        print("%.6f, %.6f, %d, {%s}}," % (start, stop, count, ", ".join("%.7f" % value for value in values)))
     print("};\n\n}  // namespace manylight::test")
 
 

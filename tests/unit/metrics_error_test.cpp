@@ -173,7 +173,8 @@ TEST(ErrorSplit, ToldApartAreBiasAndVariance) {
     for (const double bias : {0.0, 0.05, -0.2}) {
         const std::vector<Image> runs = runsOf(8, bias, halfWidth);
         const ErrorSplit split = splitError(runs, plain(64, 64, 1.0));
-        // 12288 values, each a mean of 8: one standard error of the bias² is below 5e-4 here, that of the variance 1e-4.
+        // 12288 values, each a mean of 8: one standard error of the bias² is below 5e-4 here, that of the variance
+        // 1e-4.
         EXPECT_NEAR(split.biasSquared, bias * bias, 1.5e-3) << bias;
         EXPECT_NEAR(split.variance, variance, 1e-3) << bias;
         double sum = 0.0;
