@@ -57,6 +57,7 @@ Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& r
             {"ended_by", frames.endedBy},
             {"relative_standard_error", orNull(frames.relativeError)},
             {"non_finite_values", nonFinite},
+            {"light_paths_cut_off_last_frame", renderer.status().pathsTruncated},
             {"vpls_traced_last_frame", renderer.status().vplsTraced},
             {"vpls_shaded_last_frame", renderer.status().vplsShaded},
             {"memory", renderer.gpuScene().report()},

@@ -6,12 +6,12 @@
 namespace manylight {
 namespace {
 
-void dispatchImage(PassBuilder& pass, const char* shader, bool isFirstFrame, uint32_t width, uint32_t height) {
-    pass.execute([shader, isFirstFrame, width, height](PassContext& context) {
+void dispatchImage(PassBuilder& pass, const char* shader, bool starts, uint32_t width, uint32_t height) {
+    pass.execute([shader, starts, width, height](PassContext& context) {
         context.dispatch({.shader = shader,
                           .groupWidth = shared::kImageGroupWidth,
                           .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = {isFirstFrame}},
+                          .specialisation = {starts}},
                          width, height);
     });
 }
@@ -31,15 +31,15 @@ RunningSum addAccumulate(FrameGraph& graph, const SceneHandles& scene, ImageHand
 }
 
 ImageHandle addVariance(FrameGraph& graph, const SceneHandles& scene, ImageHandle radiance, ImageHandle sum,
-                        ImageHandle squaredDeviations, bool isFirstFrame, uint32_t width, uint32_t height) {
+                        ImageHandle squaredDeviations, bool isSecondFrame, uint32_t width, uint32_t height) {
     PassBuilder pass = graph.addPass("variance");
     readFrame(pass, scene, PipelineKind::Compute);
     pass.read(radiance, Access::ComputeStorageRead, shared::kBindingRadiance)
         .read(sum, Access::ComputeStorageRead, shared::kBindingRadianceSum);
     squaredDeviations =
-        pass.write(squaredDeviations, isFirstFrame ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite,
+        pass.write(squaredDeviations, isSecondFrame ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite,
                    shared::kBindingSquaredDeviations);
-    dispatchImage(pass, "variance.comp", isFirstFrame, width, height);
+    dispatchImage(pass, "variance.comp", isSecondFrame, width, height);
     return squaredDeviations;
 }
 

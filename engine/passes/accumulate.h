@@ -16,8 +16,8 @@ RunningSum addAccumulate(FrameGraph& graph, const SceneHandles& scene, ImageHand
                          bool isFirstFrame, uint32_t width, uint32_t height);
 
 /// Adds the frame's squared deviation from the mean so far; `sum` is the sum without the frame. The variance of one
-/// frame is the result / (frames - 1). Returns the new version of `squaredDeviations`.
+/// frame is the result / (frames - 1). Begins with the second frame. Returns the new version of `squaredDeviations`.
 ImageHandle addVariance(FrameGraph& graph, const SceneHandles& scene, ImageHandle radiance, ImageHandle sum,
-                        ImageHandle squaredDeviations, bool isFirstFrame, uint32_t width, uint32_t height);
+                        ImageHandle squaredDeviations, bool isSecondFrame, uint32_t width, uint32_t height);
 
 }  // namespace manylight

@@ -42,9 +42,9 @@ ImageHandle Accumulator::add(FrameGraph& graph, const SceneHandles& scene, Image
     const bool isFirst = frameCount == 0;
     RunningSum running{importPhysical(graph, name_ + " sum", sum_),
                        importPhysical(graph, name_ + " rounding error", roundingError_)};
-    if (keepsVariance()) {
+    if (keepsVariance() && !isFirst) {
         const ImageHandle deviations = importPhysical(graph, name_ + " squared deviations", squaredDeviations_);
-        graph.keep(addVariance(graph, scene, radiance, running.sum, deviations, isFirst, width_, height_));
+        graph.keep(addVariance(graph, scene, radiance, running.sum, deviations, frameCount == 1, width_, height_));
     }
     running = addAccumulate(graph, scene, radiance, running, isFirst, width_, height_);
     graph.keep(running.sum);

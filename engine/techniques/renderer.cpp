@@ -142,6 +142,7 @@ void Renderer::resolve(const RenderSettings& settings) {
     const int depth = settings.bounceCount               ? *settings.bounceCount
                       : scene_.maxDepth.value_or(-1) < 0 ? -1
                                                          : std::max(0, *scene_.maxDepth - 2);
+    isUnlimited_ = depth < 0;
     settings_.bounceCount = depth < 0 ? static_cast<int>(unlimitedBounces(gpuScene_.meanAlbedo)) : depth;
     const uint64_t mostPaths =
         uint64_t{settings_.vplCount} * pathsPerBatch(static_cast<uint32_t>(*settings_.bounceCount));
@@ -253,7 +254,7 @@ Execution Renderer::renderFrame() {
             "device {} ended a ray before its time (its loop limit was met): the picture would be wrong. "
             "Fewer bounces, or a scene with a shallower BVH, may help",
             device_.info().name);
-    warnings_.add("light paths cut off at the depth limit", {}, status_.pathsTruncated);
+    if (isUnlimited_) warnings_.add("light paths cut off at the depth limit", {}, status_.pathsTruncated);
     warnings_.add("light-path vertices whose shading-normal correction met its bound", {},
                   status_.shadingNormalsCapped);
     ++frameCount_;

@@ -96,6 +96,7 @@ class Renderer {
     shared::FrameStatus status_{};
     Warnings warnings_;
     uint32_t frameCount_ = 0;
+    bool isUnlimited_ = false;  // the depth limit is ours, not the user's
     bool keepsVpls_ = false;
     bool keepsVariance_ = false;
     bool keepsCutOff_ = false;
