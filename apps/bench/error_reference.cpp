@@ -108,12 +108,25 @@ bool addRound(Renderer& renderer, RenderSettings settings, Halves& halves, Progr
     return true;
 }
 
-Reference readReference(const RenderSettings& settings, const std::string& file) {
+/// What manylight-capture or this program wrote into the file; empty for files of other origin.
+std::string sceneOf(const std::string& file) {
+    const auto attributes = readExrAttributes(file);
+    if (const auto scene = attributes.find("manylight.scene"); scene != attributes.end()) return scene->second;
+    const auto report = attributes.find("manylight.report");
+    if (report == attributes.end()) return "";
+    const Json json = Json::parse(report->second, nullptr, false);
+    return json.is_object() && json.contains("scene") && json["scene"].is_string() ? json["scene"].get<std::string>()
+                                                                                   : "";
+}
+
+Reference readReference(const Scene& scene, const RenderSettings& settings, const std::string& file) {
     Reference reference;
     reference.image = readExr(file);
+    if (const std::string origin = sceneOf(file); !origin.empty() && origin != scene.name)
+        fail("--reference {}: a picture of scene {}; expected scene {}", file, origin, scene.name);
     reference.file = file;
     if (reference.image.width != settings.width || reference.image.height != settings.height)
-        fail("{}: {}x{} pixels; expected {}x{}, the size of the pictures", file, reference.image.width,
+        fail("--reference {}: {}x{} pixels; expected {}x{}, the size of the pictures", file, reference.image.width,
              reference.image.height, settings.width, settings.height);
     return reference;
 }
@@ -122,7 +135,7 @@ Reference readReference(const RenderSettings& settings, const std::string& file)
 
 Reference makeReference(Renderer& renderer, const Scene& scene, const RenderSettings& settings,
                         const ErrorOptions& options) {
-    if (!options.referenceFile.empty()) return readReference(settings, options.referenceFile);
+    if (!options.referenceFile.empty()) return readReference(scene, settings, options.referenceFile);
     RenderSettings truth = settings;
     truth.technique = Technique::PathTracer;
     truth.clamp = ClampMode::Off;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace manylight {
 namespace {
@@ -44,6 +45,17 @@ DisplayImage renderSideBySide(Renderer& renderer, const CaptureOptions& options)
     return besideEachOther(pictures);
 }
 
+/// Where paths end, and what that costs: the share of the light that a closed scene, of this one's mean albedo everywhere,
+/// would lack, and light paths that were cut off in the last frame.
+Json depthLimit(const Renderer& renderer) {
+    const int bounces = renderer.settings().bounceCount.value_or(0);
+    const double albedo = double{renderer.gpuScene().meanAlbedo};
+    return {{"bounces", bounces},
+            {"mean_albedo", albedo},
+            {"share_missing_in_a_furnace", std::pow(std::min(albedo, 1.0), bounces + 1)},
+            {"light_paths_cut_off", renderer.status().pathsTruncated}};
+}
+
 Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& renderer, const Frames& frames,
                 double importSeconds, uint64_t nonFinite) {
     const auto orNull = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
@@ -57,7 +69,7 @@ Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& r
             {"ended_by", frames.endedBy},
             {"relative_standard_error", orNull(frames.relativeError)},
             {"non_finite_values", nonFinite},
-            {"light_paths_cut_off_last_frame", renderer.status().pathsTruncated},
+            {"depth_limit", depthLimit(renderer)},
             {"vpls_traced_last_frame", renderer.status().vplsTraced},
             {"vpls_shaded_last_frame", renderer.status().vplsShaded},
             {"memory", renderer.gpuScene().report()},
