@@ -56,7 +56,7 @@ bool hasAttachments(const Pass& pass) {
 }  // namespace
 
 GraphExecutor::GraphExecutor(gpu::Device& device, gpu::PipelineLibrary& pipelines)
-    : device_(device), pipelines_(pipelines), timers_(device) {
+    : device_(device), pipelines_(pipelines), timers_(device), breadcrumbs_(device) {
     VkCommandPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
     pool.queueFamilyIndex = device.queueFamily();
@@ -91,18 +91,26 @@ Execution GraphExecutor::execute(const FrameGraph& graph) {
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     gpu::check(vkBeginCommandBuffer(commands_, &begin), "recording a frame");
     timers_.reset(static_cast<uint32_t>(compiled.passes.size()));
+    breadcrumbs_.reset(static_cast<uint32_t>(compiled.passes.size()));
     for (uint32_t i = 0; i < compiled.passes.size(); ++i) {
+        breadcrumbs_.drop(commands_, i);
         timers_.begin(commands_, i);
         recordPass(graph, compiled.passes[i], physical);
         timers_.end(commands_, i);
         const Pass& pass = graph.passes()[compiled.passes[i].pass];
-        if (!dumpAfter_.empty() && pass.name.starts_with(dumpAfter_)) recordDump(graph, pass, physical);
+        if (isDumped(pass)) recordDump(graph, pass, physical);
     }
     gpu::check(vkEndCommandBuffer(commands_), "recording a frame");
 
     // 3. Run.
     Execution execution;
-    execution.wallMilliseconds = submitAndWait();
+    execution.wallMilliseconds = submitAndWait([&] {
+        const uint32_t started = breadcrumbs_.startedCount();
+        return started == 0
+                   ? std::string("before its first pass")
+                   : fmt::format("in pass {} ({} of {})", graph.passes()[compiled.passes[started - 1].pass].name,
+                                 started, compiled.passes.size());
+    });
     storeStates(graph, compiled, physical);
 
     // 4. Report.
@@ -211,9 +219,10 @@ void GraphExecutor::recordDump(const FrameGraph& graph, const Pass& pass, const 
         const gpu::Texture& texture = static_cast<PhysicalImage*>(physical[use.resource])->texture;
         const VkDeviceSize size =
             VkDeviceSize{resource.image.width} * resource.image.height * gpu::texelBytes(resource.image.format);
-        PendingDump dump{{resource.name, resource.image.format, resource.image.width, resource.image.height, {}},
-                         gpu::Buffer(device_, "dump of " + resource.name,
-                                     {size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Readback})};
+        PendingDump dump{
+            {pass.name, resource.name, resource.image.format, resource.image.width, resource.image.height, {}},
+            gpu::Buffer(device_, "dump of " + resource.name,
+                        {size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryKind::Readback})};
 
         // A debugging aid: wait for everything, copy, and put the layout back as the next pass expects it.
         ResourceState state = unknownState();
@@ -262,7 +271,11 @@ void GraphExecutor::storeStates(const FrameGraph& graph, const CompiledGraph& co
     }
 }
 
-double GraphExecutor::submitAndWait() {
+bool GraphExecutor::isDumped(const Pass& pass) const {
+    return dumpAfter_ == kAllPasses || (!dumpAfter_.empty() && pass.name.starts_with(dumpAfter_));
+}
+
+double GraphExecutor::submitAndWait(const std::function<std::string()>& whatRan) {
     const auto start = std::chrono::steady_clock::now();
     VkCommandBufferSubmitInfo commands{};
     commands.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
@@ -272,7 +285,8 @@ double GraphExecutor::submitAndWait() {
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &commands;
     gpu::check(vkQueueSubmit2(device_.queue(), 1, &submit, fence_), "submitting a frame");
-    gpu::check(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX), "running a frame");
+    if (const VkResult result = vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX); result < VK_SUCCESS)
+        gpu::check(result, fmt::format("running a frame, {}", whatRan()));
     gpu::check(vkResetFences(device_.handle(), 1, &fence_), "running a frame");
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }

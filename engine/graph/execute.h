@@ -1,10 +1,12 @@
 // Runs a frame graph: physical resources, one command buffer, barriers, labels and timers.
 #pragma once
 
+#include "engine/graph/breadcrumbs.h"
 #include "engine/graph/compile.h"
 #include "engine/graph/gpu_timers.h"
 #include "engine/graph/pass_context.h"
 
+#include <functional>
 #include <memory>
 
 namespace manylight {
@@ -16,6 +18,7 @@ struct PassTime {
 
 /// An image that a pass wrote, copied right after that pass: see GraphExecutor::dumpAfter().
 struct DumpedImage {
+    std::string pass;
     std::string resource;
     VkFormat format = VK_FORMAT_UNDEFINED;
     uint32_t width = 0;
@@ -41,8 +44,10 @@ class GraphExecutor {
     /// that ran last if the device is lost.
     Execution execute(const FrameGraph& graph);
 
-    /// The images written by every pass whose name starts with `pass` will be in Execution::dumped. Empty: none.
+    /// The images written by every pass whose name starts with `pass` will be in Execution::dumped. Empty: none;
+    /// kAllPasses: those of all passes.
     void dumpAfter(std::string pass) { dumpAfter_ = std::move(pass); }
+    static constexpr const char* kAllPasses = "*";
 
     uint64_t transientBytes() const;
 
@@ -53,7 +58,8 @@ class GraphExecutor {
     void recordPass(const FrameGraph& graph, const LivePass& live, const std::vector<void*>& physical);
     void recordDump(const FrameGraph& graph, const Pass& pass, const std::vector<void*>& physical);
     void storeStates(const FrameGraph& graph, const CompiledGraph& compiled, const std::vector<void*>& physical);
-    double submitAndWait();
+    double submitAndWait(const std::function<std::string()>& whatRan);
+    bool isDumped(const Pass& pass) const;
     std::vector<DumpedImage> collectDumps();
 
     /// A pooled resource and whether this frame has taken it.
@@ -70,6 +76,7 @@ class GraphExecutor {
     gpu::Device& device_;
     gpu::PipelineLibrary& pipelines_;
     GpuTimers timers_;
+    Breadcrumbs breadcrumbs_;
     VkCommandPool commandPool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;

@@ -4,6 +4,8 @@
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
 
+#include <algorithm>
+
 namespace manylight {
 
 ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
@@ -23,11 +25,15 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         gpu::Specialisation options = surfaceOptions(plan);
         options.insert(options.end(), {castShadows, 0u, adds});
         pass.execute([options, push, width, height](PassContext& context) {
-            context.dispatch({.shader = "direct_light.comp",
-                              .groupWidth = shared::kVplTileWidth,
-                              .groupHeight = shared::kVplTileHeight,
-                              .specialisation = options},
-                             width, height, push);
+            const ComputeKernel kernel{.shader = "direct_light.comp",
+                                       .groupWidth = shared::kVplTileWidth,
+                                       .groupHeight = shared::kVplTileHeight,
+                                       .specialisation = options};
+            const uint32_t rows =
+                rowsPerDispatch(width, push.lightCount, shared::kMaxRaysInDispatch, shared::kVplTileHeight);
+            shared::ShadePush band = push;
+            for (band.firstRow = 0; band.firstRow < height; band.firstRow += rows)
+                context.dispatch(kernel, width, std::min(rows, height - band.firstRow), band);
         });
     }
     return radiance;

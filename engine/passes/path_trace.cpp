@@ -1,5 +1,6 @@
 #include "engine/passes/path_trace.h"
 
+#include "engine/passes/shading_work.h"
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/path_trace.h"
@@ -22,8 +23,11 @@ ImageHandle addPathTrace(FrameGraph& graph, SceneHandles& scene, const ScenePlan
                          uint32_t width, uint32_t height) {
     ImageHandle radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     const uint32_t stretches = options.maxScatterings / shared::kSurfacesPerDispatch + 1;
-    // Paths that fit one dispatch need no states, and no bands.
-    const uint32_t rows = stretches == 1 ? height : std::max(shared::kPathStatesPerBand / width, 1u);
+    // Two rays a surface; most paths are short, and a picture takes a few bands at most.
+    constexpr uint32_t kRaysOfPath = 32;
+    const uint32_t most = stretches == 1 ? shared::kMaxRaysInDispatch : kRaysOfPath * shared::kPathStatesPerBand;
+    const uint32_t rows = rowsPerDispatch(width, kRaysOfPath, most, shared::kVplTileHeight);
+    // Paths that fit one dispatch need no states.
     const size_t stateCount = stretches == 1 ? 1 : size_t{width} * std::min(rows, height);
     BufferHandle states = graph.createBuffer("path states", {stateCount * sizeof(shared::PathState)});
 

@@ -32,4 +32,10 @@ std::vector<shared::ShadePush> shadingStretches(uint32_t lightCount, uint32_t vp
     return stretches;
 }
 
+uint32_t rowsPerDispatch(uint32_t width, uint32_t workPerPixel, uint32_t most, uint32_t rowStep) {
+    const uint64_t workPerStep = uint64_t{std::max(width, 1u)} * std::max(workPerPixel, 1u) * rowStep;
+    const uint64_t steps = std::clamp<uint64_t>(most / workPerStep, 1, (1u << 24) / rowStep);
+    return static_cast<uint32_t>(steps) * rowStep;
+}
+
 }  // namespace manylight

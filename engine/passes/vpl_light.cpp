@@ -4,6 +4,8 @@
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
 
+#include <algorithm>
+
 namespace manylight {
 
 ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
@@ -28,12 +30,18 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
         gpu::Specialisation constants = surfaceOptions(plan);
         constants.insert(constants.end(), {shadows, options.subgroupSize, adds, pixelsPerThread, options.cutOff});
         pass.execute([constants, push, shadows, width, height, pixelsPerThread](PassContext& context) {
-            context.dispatch({.shader = shadows ? "vpl_light_shadowed.comp" : "vpl_light.comp",
-                              .groupWidth = shared::kVplTileWidth,
-                              .groupHeight = shared::kVplTileHeight,
-                              .specialisation = constants,
-                              .fullSubgroups = true},
-                             width, (height + pixelsPerThread - 1) / pixelsPerThread, push);
+            const ComputeKernel kernel{.shader = shadows ? "vpl_light_shadowed.comp" : "vpl_light.comp",
+                                       .groupWidth = shared::kVplTileWidth,
+                                       .groupHeight = shared::kVplTileHeight,
+                                       .specialisation = constants,
+                                       .fullSubgroups = true};
+            const uint32_t most = shadows ? shared::kMaxRaysInDispatch : shared::kMaxPairsInDispatch;
+            const uint32_t rows = rowsPerDispatch(width, push.vplCount, most, shared::kVplTileHeight * pixelsPerThread);
+            shared::ShadePush band = push;
+            for (band.firstRow = 0; band.firstRow < height; band.firstRow += rows) {
+                const uint32_t count = std::min(rows, height - band.firstRow);
+                context.dispatch(kernel, width, (count + pixelsPerThread - 1) / pixelsPerThread, band);
+            }
         });
     }
     return *radiance;

@@ -2,6 +2,7 @@
 
 #include "engine/core/check.h"
 #include "engine/graph/dump.h"
+#include "engine/graph/finite_check.h"
 #include "engine/math/projection.h"
 #include "engine/passes/accumulate.h"
 #include "engine/passes/show_vpls.h"
@@ -246,7 +247,9 @@ FrameGraph Renderer::declareFrame() {
 Execution Renderer::renderFrame() {
     writeFrameConstants();
     const FrameGraph graph = declareFrame();
+    if (settings_.checkFinite) executor_.dumpAfter(GraphExecutor::kAllPasses);
     Execution execution = executor_.execute(graph);
+    if (settings_.checkFinite) refuseNonFinite(execution);
     tuneGather(execution);
     status_ = readStatus(statusBuffer_);
     if (status_.loopBudgetExceeded != 0)
@@ -259,6 +262,12 @@ Execution Renderer::renderFrame() {
                   status_.shadingNormalsCapped);
     ++frameCount_;
     return execution;
+}
+
+void Renderer::refuseNonFinite(const Execution& execution) const {
+    if (const auto found = findNonFinite(execution.dumped))
+        fail("frame {}: pass {} wrote {} texel(s) of '{}' that are not finite, the first at ({}, {})", frameCount_,
+             found->pass, found->texels, found->resource, found->x, found->y);
 }
 
 void Renderer::tuneGather(const Execution& execution) {

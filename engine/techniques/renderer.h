@@ -77,6 +77,7 @@ class Renderer {
     void makeTargets();
     void writeFrameConstants();
     FrameGraph declareFrame();
+    void refuseNonFinite(const Execution& execution) const;
     void tuneGather(const Execution& execution);
 
     gpu::Device& device_;

@@ -131,6 +131,8 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.vplDotRadius = parseNumber(o, v, 0.5f, 100.0f); }},
         {{"plan", "on|off", "leave out what the scene does not need"},
          [](S& s, T o, T v) { s.plan = parseSwitch(o, v); }},
+        {{"check-finite", "on|off", "look for infinities and NaN in what every pass wrote, and end with an error; slow"},
+         [](S& s, T o, T v) { s.checkFinite = parseSwitch(o, v); }},
     };
     return table;
 }

@@ -53,6 +53,7 @@ struct RenderSettings {
     float vplDotRadius = 3.0f;  // --show vpls, pixels
     bool jitter = false;        // a new place in the pixel for every frame: the 1 x 1 box filter
     bool plan = true;           // leave out what the scene does not need
+    bool checkFinite = false;   // look at what every pass wrote; slow
 };
 
 /// Names as the command line spells them, e.g. "forward-prepass".

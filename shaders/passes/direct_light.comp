@@ -16,7 +16,7 @@ layout(push_constant, scalar) uniform Push { ShadePush push; };
 
 void main() {
     const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
-    const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex);
+    const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const GBufferPixel seen = readGBuffer(pixel, true);
     const vec3 irradiance =

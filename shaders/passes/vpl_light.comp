@@ -18,7 +18,7 @@ layout(push_constant, scalar) uniform Push { ShadePush push; };
 void main() {
     // No early return: every lane holds a VPL for the others.
     const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight * kReceivers);
-    const ivec2 first = tile + pixelInTile(gl_LocalInvocationIndex);
+    const ivec2 first = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     Receiver receivers[kReceivers];
     vec3 albedo[kReceivers];
     vec3 irradiance[kReceivers];

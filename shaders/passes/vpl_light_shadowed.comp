@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Push { ShadePush push; };
 void main() {
     // No early return: every lane holds a VPL for the others.
     const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
-    const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex);
+    const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     const GBufferPixel seen = readGBuffer(pixel, true);
     Receiver receivers[kReceivers] = {seen.receiver};
     vec3 irradiance[kReceivers] = {vec3(0.0)};

@@ -18,6 +18,10 @@ MANYLIGHT_CONSTANT(uint, kVplPadding, 128u);
 MANYLIGHT_CONSTANT(uint, kLoopBudget, 65535u);
 MANYLIGHT_CONSTANT(uint, kMaxShadowedVplsPerDispatch, 256u);
 MANYLIGHT_CONSTANT(uint, kMaxVplsPerDispatch, 8192u);
+// A dispatch covers as many rows of the picture as keep it below this work, so that no driver's watchdog ends it: at a
+// hundred million rays a second, a sixth of a second.
+MANYLIGHT_CONSTANT(uint, kMaxRaysInDispatch, 1u << 24);
+MANYLIGHT_CONSTANT(uint, kMaxPairsInDispatch, 1u << 30);  // pixels and VPLs without rays
 // A uniform buffer of 64 KiB holds this many.
 MANYLIGHT_CONSTANT(uint, kMaxForwardVplsPerDraw, 1024u);
 
@@ -28,6 +32,7 @@ struct ShadePush {
     uint firstVpl;
     uint vplCount;
     uint showEmission;  // the camera sees lights and the environment; set for the first stretch only
+    uint firstRow;      // of the band of pixels that a dispatch shades
 };
 
 MANYLIGHT_SHARED_END

@@ -91,7 +91,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
       sizeof(shared::EmissionPush)}},
     {"ShadePush",
      {{MEMBER(ShadePush, firstLight), MEMBER(ShadePush, lightCount), MEMBER(ShadePush, firstVpl),
-       MEMBER(ShadePush, vplCount), MEMBER(ShadePush, showEmission)},
+       MEMBER(ShadePush, vplCount), MEMBER(ShadePush, showEmission), MEMBER(ShadePush, firstRow)},
       sizeof(shared::ShadePush)}},
     {"TonemapPush", {{MEMBER(TonemapPush, scale), MEMBER(TonemapPush, curve)}, sizeof(shared::TonemapPush)}},
     {"ShowPush", {{MEMBER(ShowPush, channel), MEMBER(ShowPush, depthScale)}, sizeof(shared::ShowPush)}},
