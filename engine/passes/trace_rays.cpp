@@ -13,7 +13,7 @@ void addTraceRays(FrameGraph& graph, SceneHandles& scene, RayBuffers& rays, uint
     PassBuilder pass = graph.addPass("trace_rays");
     pass.read(scene.bvhNodes, Access::ComputeTexelRead, shared::kBindingBvhNodes)
         .read(scene.triangles, Access::ComputeTexelRead, shared::kBindingTriangles)
-        .read(rays.queries, Access::ComputeStorageRead, shared::kBindingRayQueries);
+        .read(rays.queries, Access::ComputeTexelRead, shared::kBindingRayQueries);
     rays.answers = pass.write(rays.answers, Access::ComputeStorageWrite, shared::kBindingRayAnswers);
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
     pass.execute([rayCount, kind](PassContext& context) {
