@@ -151,6 +151,7 @@ class Layout {
         bvh_.putAside = std::max(root.leastPutAside, std::min(root.putAside, shared::kBvhShortStackSize));
         triangles_ = tree.order;
         place(root, 0, bvh_.putAside);
+        MANYLIGHT_CHECK(bvh_.nodes.size() <= size_t{1} << 24, "nodes of the BVH");
         return std::move(bvh_);
     }
 

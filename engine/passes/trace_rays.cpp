@@ -4,8 +4,13 @@
 #include "shaders/shared/trace_rays.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace manylight {
+
+// The shader reads a query as two texels: origin and tMax, direction.
+static_assert(sizeof(shared::RayQuery) == 32 && offsetof(shared::RayQuery, tMax) == 12 &&
+              offsetof(shared::RayQuery, direction) == 16);
 
 uint32_t answerBytes(RayKind kind) { return kind == RayKind::AnyHit ? sizeof(uint32_t) : sizeof(shared::RayHit); }
 

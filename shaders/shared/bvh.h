@@ -5,9 +5,10 @@
 
 MANYLIGHT_SHARED_BEGIN
 
-// Node 0 is the root. Slots 0 to 3 hold first the inner children, the largest box first, then leaves of two triangles,
-// then leaves of one, then nothing. Plane q of an axis is at origin + (1 + q / 256) * 2^(exponent - 127): a float whose
-// mantissa starts with q.
+// Node 0 is the root. Slots 0 to 3 hold first the inner children, then leaves of two triangles, then leaves of one,
+// then nothing. The largest inner box comes first, as an occluder is likeliest there, except near the root of a tree so
+// deep that kBvhShortStackSize would not do. Plane q of an axis is at origin + (1 + q / 256) * 2^(exponent - 127): a
+// float whose mantissa starts with q.
 struct BvhNode {
     vec3 origin;
     // Bits 0-7, 8-15, 16-23: exponents of x, y, z. Bits 24-27: which slots hold inner children. Bits 28-30: how many

@@ -3,7 +3,6 @@
 #include "shaders/shared/frame.h"
 #include "shaders/shared/lights.h"
 #include "shaders/shared/material.h"
-#include "shaders/shared/ray.h"
 #include "shaders/shared/show.h"
 #include "shaders/shared/tonemap.h"
 #include "shaders/shared/trace_rays.h"
@@ -66,9 +65,6 @@ const std::map<std::string, ExpectedStruct> kStructs = {
      {{MEMBER(FrameStatus, loopBudgetExceeded), MEMBER(FrameStatus, shadingNormalsCapped),
        MEMBER(FrameStatus, pathsTruncated), MEMBER(FrameStatus, vplsTraced), MEMBER(FrameStatus, vplsShaded)},
       sizeof(shared::FrameStatus)}},
-    {"RayQuery",
-     {{MEMBER(RayQuery, origin), MEMBER(RayQuery, tMax), MEMBER(RayQuery, direction), MEMBER(RayQuery, unused)},
-      sizeof(shared::RayQuery)}},
     {"RayHit", {{MEMBER(RayHit, t), MEMBER(RayHit, triangle), MEMBER(RayHit, barycentrics)}, sizeof(shared::RayHit)}},
     {"TraceRaysPush",
      {{MEMBER(TraceRaysPush, firstRay), MEMBER(TraceRaysPush, endRay)}, sizeof(shared::TraceRaysPush)}},
