@@ -75,7 +75,7 @@ BuildTree buildSahTree(const std::vector<Box>& boxes, const BvhOptions& options)
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
     arguments.maxBranchingFactor = 2;
-    arguments.maxDepth = static_cast<unsigned int>(shared::kBvhStackSize) - 8;
+    arguments.maxDepth = 40;  // of the binary tree, of which a node of the BVH spans about two levels
     arguments.maxLeafSize = options.maxLeafSize;
     arguments.traversalCost = options.traversalCost;
     arguments.intersectionCost = options.intersectionCost;

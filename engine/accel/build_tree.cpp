@@ -72,15 +72,4 @@ BuildTree buildBalancedTree(const std::vector<Box>& boxes, const BvhOptions& opt
     return tree;
 }
 
-uint32_t treeDepth(const BuildTree& tree) {
-    std::vector<uint32_t> depth(tree.nodes.size(), 1);
-    uint32_t deepest = 1;
-    for (size_t i = 0; i < tree.nodes.size(); ++i) {
-        if (tree.nodes[i].count != 0) continue;
-        deepest = std::max(deepest, depth[i]);
-        for (const uint32_t child : tree.nodes[i].children) depth[child] = depth[i] + 1;
-    }
-    return deepest;
-}
-
 }  // namespace manylight

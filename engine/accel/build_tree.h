@@ -39,10 +39,7 @@ BuildTree buildSahTree(const std::vector<Box>& boxes, const BvhOptions& options)
 /// Halves the triangles along the widest axis of their centres: as shallow as can be, whatever the input.
 BuildTree buildBalancedTree(const std::vector<Box>& boxes, const BvhOptions& options);
 
-/// Inner nodes on the longest way down, at least 1.
-uint32_t treeDepth(const BuildTree& tree);
-
-/// Depth-first layout with quantised boxes.
+/// Joins binary nodes to nodes of shared::kBvhWidth children with quantised boxes, depth first.
 Bvh layoutTree(const BuildTree& tree);
 
 }  // namespace manylight

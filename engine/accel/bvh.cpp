@@ -9,6 +9,14 @@
 
 namespace manylight {
 
+namespace {
+
+bool fitsStacks(const Bvh& bvh) {
+    return bvh.depth < static_cast<uint32_t>(shared::kBvhStackSize) && bvh.putAside <= shared::kBvhShortStackSize;
+}
+
+}  // namespace
+
 Bvh buildBvh(const Scene& scene, const BvhOptions& options) {
     MANYLIGHT_CHECK(options.maxLeafSize >= 1u, "buildBvh");
     MANYLIGHT_CHECK(options.maxLeafSize <= shared::kBvhMaxLeafSize, "buildBvh");
@@ -17,12 +25,11 @@ Bvh buildBvh(const Scene& scene, const BvhOptions& options) {
              shared::kBvhMaxTriangles);
     }
     const std::vector<Box> boxes = triangleBoxes(scene);
-    BuildTree tree = buildSahTree(boxes, options);
+    Bvh bvh = layoutTree(buildSahTree(boxes, options));
     // Input made to defeat the heuristic can be deeper than a traversal's stack.
-    if (treeDepth(tree) >= static_cast<uint32_t>(shared::kBvhStackSize)) tree = buildBalancedTree(boxes, options);
-    Bvh bvh = layoutTree(tree);
+    if (!fitsStacks(bvh)) bvh = layoutTree(buildBalancedTree(boxes, options));
     MANYLIGHT_CHECK(bvh.triangleOrder.size() == scene.triangles.size(), "buildBvh");
-    MANYLIGHT_CHECK(bvh.depth < static_cast<uint32_t>(shared::kBvhStackSize), "buildBvh");
+    MANYLIGHT_CHECK(fitsStacks(bvh), "buildBvh");
     return bvh;
 }
 

@@ -18,9 +18,12 @@ struct BvhOptions {
 /// What rays traverse. Every triangle of the scene is in exactly one leaf; a leaf is a range of `triangleOrder`.
 /// Without triangles it is one node that every ray misses.
 struct Bvh {
-    std::vector<shared::BvhNode> nodes;   // depth first, root first
+    std::vector<shared::BvhNode> nodes;   // root first, siblings together
     std::vector<uint32_t> triangleOrder;  // leaf order -> Scene::triangles
     uint32_t depth = 0;                   // nodes on the longest way down; < shared::kBvhStackSize
+    // Nodes on one way down that have more inner children after the one taken, at most: a traversal in the order of
+    // slots puts so many groups of siblings aside. <= shared::kBvhShortStackSize
+    uint32_t putAside = 0;
 };
 
 /// Builds by the surface area heuristic. The same triangles give the same bytes on every run. Throws Error if there

@@ -95,10 +95,6 @@ void collectMissingSubgroupOperations(VkPhysicalDevice device, std::vector<std::
     if ((subgroup.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT) == 0 ||
         (subgroup.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) == 0)
         missing.emplace_back("subgroup shuffle in compute shaders");
-    constexpr VkShaderStageFlags kRayStages = VK_SHADER_STAGE_COMPUTE_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-    if ((subgroup.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_BALLOT_BIT) == 0 ||
-        (subgroup.subgroupSupportedStages & kRayStages) != kRayStages)
-        missing.emplace_back("subgroup ballot in compute and fragment shaders");
 }
 
 }  // namespace

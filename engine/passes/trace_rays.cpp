@@ -4,8 +4,13 @@
 #include "shaders/shared/trace_rays.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace manylight {
+
+// The shader reads a query as two texels: origin and tMax, direction.
+static_assert(sizeof(shared::RayQuery) == 32 && offsetof(shared::RayQuery, tMax) == 12 &&
+              offsetof(shared::RayQuery, direction) == 16);
 
 uint32_t answerBytes(RayKind kind) { return kind == RayKind::AnyHit ? sizeof(uint32_t) : sizeof(shared::RayHit); }
 
@@ -13,7 +18,7 @@ void addTraceRays(FrameGraph& graph, SceneHandles& scene, RayBuffers& rays, uint
     PassBuilder pass = graph.addPass("trace_rays");
     pass.read(scene.bvhNodes, Access::ComputeTexelRead, shared::kBindingBvhNodes)
         .read(scene.triangles, Access::ComputeTexelRead, shared::kBindingTriangles)
-        .read(rays.queries, Access::ComputeStorageRead, shared::kBindingRayQueries);
+        .read(rays.queries, Access::ComputeTexelRead, shared::kBindingRayQueries);
     rays.answers = pass.write(rays.answers, Access::ComputeStorageWrite, shared::kBindingRayAnswers);
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
     pass.execute([rayCount, kind](PassContext& context) {

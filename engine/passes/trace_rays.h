@@ -7,7 +7,7 @@
 namespace manylight {
 
 struct RayBuffers {
-    BufferHandle queries;  // shared::RayQuery per ray
+    BufferHandle queries;  // shared::RayQuery per ray, in texels of R32G32B32A32_SFLOAT
     BufferHandle answers;  // room for answerBytes() per ray
 };
 

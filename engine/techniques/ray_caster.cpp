@@ -11,13 +11,13 @@
 namespace manylight {
 namespace {
 
-gpu::Buffer makeStorage(gpu::Device& device, const char* name, uint64_t bytes) {
+gpu::Buffer makeBuffer(gpu::Device& device, const char* name, uint64_t bytes, VkBufferUsageFlags usage,
+                       VkFormat texelFormat = VK_FORMAT_UNDEFINED) {
     if (bytes > device.limits().maxStorageBufferRange)
         fail("{} of {} MiB: device {} allows {} MiB in one buffer", name, bytes >> 20, device.info().name,
              device.limits().maxStorageBufferRange >> 20);
-    constexpr VkBufferUsageFlags kUsage =
-        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    return {device, name, {bytes, kUsage, gpu::MemoryKind::Device}};
+    constexpr VkBufferUsageFlags kCopies = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    return {device, name, {bytes, usage | kCopies, gpu::MemoryKind::Device, texelFormat}};
 }
 
 template <typename T>
@@ -38,8 +38,12 @@ RayCaster::RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh)
 
 void RayCaster::load(std::span<const shared::RayQuery> rays) {
     MANYLIGHT_CHECK(rays.size() <= std::numeric_limits<uint32_t>::max() - shared::kMaxRaysPerDispatch, "rays");
-    queries_ = {makeStorage(device_, "ray queries", rays.size_bytes()), {}};
-    answers_ = {makeStorage(device_, "ray answers", rays.size() * sizeof(shared::RayHit)), {}};
+    queries_ = {makeBuffer(device_, "ray queries", rays.size_bytes(), VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT,
+                           VK_FORMAT_R32G32B32A32_SFLOAT),
+                {}};
+    answers_ = {
+        makeBuffer(device_, "ray answers", rays.size() * sizeof(shared::RayHit), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT),
+        {}};
     gpu::Uploader uploader(device_);
     uploader.upload(queries_.buffer, std::as_bytes(rays));
     uploader.flush();

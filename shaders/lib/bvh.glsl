@@ -6,11 +6,12 @@
 #include "shaders/shared/bvh_ray.h"
 
 #ifndef __cplusplus
-#extension GL_KHR_shader_subgroup_ballot : require
 layout(set = 0, binding = kBindingBvhNodes, rgba32ui) readonly uniform uimageBuffer bvhNodes;
 layout(set = 0, binding = kBindingTriangles, rgba32ui) readonly uniform uimageBuffer bvhTriangles;
 
-uint countInvocations(bool condition) { return subgroupBallotBitCount(subgroupBallot(condition)); }
+// Whether any-hit queries keep their stack in registers, as SIMD code for CPUs likes it: a store that only some lanes
+// make is a branch for each lane there (10 % of the time for incoherent rays on lavapipe).
+layout(constant_id = 31) const bool kBvhStackInRegisters = true;
 #endif
 
 struct Hit {
@@ -23,47 +24,54 @@ struct Hit {
 // loop of a traversal ended though its condition held: the answer is worth nothing, and the pass must say so.
 bool bvhLoopBudgetExceeded = false;
 
-// The children put aside. The last one is in a register, so that the next node need not wait for memory; those below
-// it are in bvhStack[0] to bvhStack[bvhTop - 1]. At the bottom is kBvhDone, however often it is taken.
+// An invocation at a leaf waits until its subgroup's others are at leaves too, but for no more nodes than these.
+const int kMostNodesAny = 12;
+const int kMostNodesClosest = 8;
+
+// Siblings put aside, at most those of one node per level; what a word means is up to the query. Below the last there
+// is an empty one.
 uint bvhStack[kBvhStackSize];
-uint bvhTopEntry = kBvhDone;
 int bvhTop = 0;
 
+// The same in registers, the last put aside first.
+uvec4 bvhFirstFour = uvec4(0u);
+uvec4 bvhSecondFour = uvec4(0u);
+uvec4 bvhThirdFour = uvec4(0u);
+
 void beginTraversal() {
-    bvhStack[0] = kBvhDone;
-    bvhTopEntry = kBvhDone;
-    bvhTop = 0;
+    bvhStack[0] = 0u;
+    bvhTop = 1;
+    bvhFirstFour = uvec4(0u);
+    bvhSecondFour = uvec4(0u);
+    bvhThirdFour = uvec4(0u);
 }
 
-// The last child put aside, if `pops`; otherwise `next`.
-uint popNode(uint next, bool pops) {
-    const uint popped = pops ? bvhTopEntry : next;
-    const int top = max(bvhTop - 1, 0);
-    bvhTopEntry = pops ? bvhStack[top] : bvhTopEntry;
-    bvhTop = pops ? top : bvhTop;
-    return popped;
+// Puts aside, or takes back the last. Reads and writes without a condition: branches cost SIMD lanes more.
+uint exchangeInMemory(uint siblings, bool pushes, bool pops) {
+    bvhStack[bvhTop] = siblings;
+    const uint last = bvhStack[max(bvhTop - 1, 0)];
+    bvhTop += pushes ? 1 : (pops ? -1 : 0);
+    return last;
 }
 
-// Picks the next of a visited node's children, puts the other one aside, or pops; nothing of it if `next` is no node
-// but a leaf. Without branches, which would cost SIMD lanes more than the extra store.
-uint nextAfter(uint next, NodeVisit visit, bool rightFirst) {
-    const bool isInner = (next & kBvhLeaf) == 0u;
-    const bool pushes = isInner && visit.hitsLeft && visit.hitsRight;
-    const bool descends = isInner && (visit.hitsLeft || visit.hitsRight);
-    const bool takesRight = visit.hitsRight && (rightFirst || !visit.hitsLeft);
-    bvhStack[bvhTop] = bvhTopEntry;
-    const uint after = popNode(next, isInner && !descends);
-    bvhTopEntry = pushes ? (rightFirst ? visit.left : visit.right) : bvhTopEntry;
-    bvhTop = pushes ? bvhTop + 1 : bvhTop;
-    return descends ? (takesRight ? visit.right : visit.left) : after;
+uint exchangeInRegisters(uint siblings, bool pushes, bool pops) {
+    uvec4 a = bvhFirstFour;
+    uvec4 b = bvhSecondFour;
+    uvec4 c = bvhThirdFour;
+    const uint last = a.x;
+    a = pops ? uvec4(a.y, a.z, a.w, b.x) : a;
+    b = pops ? uvec4(b.y, b.z, b.w, c.x) : b;
+    c = pops ? uvec4(c.y, c.z, c.w, 0u) : c;
+    bvhThirdFour = pushes ? uvec4(b.w, c.x, c.y, c.z) : c;
+    bvhSecondFour = pushes ? uvec4(a.w, b.x, b.y, b.z) : b;
+    bvhFirstFour = pushes ? uvec4(siblings, a.x, a.y, a.z) : a;
+    return last;
 }
 
-// An invocation that waits at a leaf visits the root meanwhile, to no effect.
-NodeVisit visitChildren(TraversalRay ray, uint next, float tMax) {
-    const uint node = (next & kBvhLeaf) == 0u ? next : 0u;
-    const uvec4 a = imageLoad(bvhNodes, int(node) * 2);
-    const uvec4 b = imageLoad(bvhNodes, int(node) * 2 + 1);
-    return visitNode(ray, node, a, b, tMax);
+NodeVisit visitNode(TraversalRay ray, uint node, float tMax) {
+    const int texel = int(node) * kBvhTexelsPerNode;
+    return visitNode(ray, imageLoad(bvhNodes, texel), imageLoad(bvhNodes, texel + 1), imageLoad(bvhNodes, texel + 2),
+                     tMax);
 }
 
 // `corner` is 0, 1 or 2. The fourth component is the packed normal, see packing.h.
@@ -81,36 +89,47 @@ TriangleHit testTriangle(TraversalRay ray, uint triangle, float tMax) {
                              tMax);
 }
 
-// An invocation at a leaf waits for its subgroup's others only while most of them have nodes to visit.
-bool mostDescend(uint next, uint rayCount) { return 2u * countInvocations((next & kBvhLeaf) == 0u) > rayCount; }
+// Where to go on after a visit, given the inner children that the ray meets and the visited node's own siblings: down,
+// with the siblings put aside; along; or up.
+uint nextInSlotOrder(uint children, uint siblings) {
+    const bool pushes = hasSlots(children) && hasSlots(siblings);
+    const bool pops = !hasSlots(children) && !hasSlots(siblings);
+    const uint last = kBvhStackInRegisters ? exchangeInRegisters(siblings, pushes, pops)
+                                           : exchangeInMemory(siblings, pushes, pops);
+    return hasSlots(children) ? children : (hasSlots(siblings) ? siblings : last);
+}
 
 // Is there a triangle at t in (0, tMax)? A zero direction meets nothing.
+// `siblings`: node of the first inner child * 256 | slots still to visit, which is in the order of slots.
 bool occluded(vec3 origin, vec3 direction, float tMax) {
     const TraversalRay ray = makeTraversalRay(origin, direction);
     const float tEnd = direction == vec3(0.0f) ? -1.0f : tMax;
-    bool isHit = false;
     beginTraversal();
-    uint next = 0u;
-    while (next != kBvhDone) {
-        const uint rayCount = countInvocations(true);
-        bool descends = true;
+    uint siblings = 1u;
+    uint leafSlots = 0u;
+    uint firstTriangle = 0u;
+    bool isHit = false;
+    bool isDone = false;
+    while (!isDone) {
+        bool descends = !hasSlots(leafSlots);
+        int count = 0;
         while (descends) {
-            const NodeVisit visit = visitChildren(ray, next, tEnd);
-            next = nextAfter(next, visit, isRightLikelier(visit));
-            descends = mostDescend(next, rayCount);
+            const uint bit = lowestSlotBit(siblings);
+            const NodeVisit visit = visitNode(ray, (siblings >> 8) + slotOfBit(bit), tEnd);
+            leafSlots = visit.leafSlots;
+            firstTriangle = visit.firstTriangle;
+            siblings = nextInSlotOrder((visit.firstChild << 8) | visit.innerSlots, siblings - bit);
+            ++count;
+            descends = hasSlots(siblings) && !hasSlots(leafSlots) && count < kMostNodesAny;
         }
-        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || descends;
-        // A leaf has one triangle or two; a single one is tested twice.
-        const bool isLeaf = (next & kBvhLeaf) != 0u;
-        const uint count = isLeaf ? next & 15u : 0u;
-        const uint first = isLeaf ? (next & ~kBvhLeaf) >> 4 : 0u;
-        const TriangleHit a = testTriangle(ray, first, tEnd);
-        const TriangleHit b = testTriangle(ray, first + (count >> 1), tEnd);
-        isHit = count != 0u && ((a.isHit && a.t < tEnd) || (b.isHit && b.t < tEnd));
-        const uint popped = popNode(next, isLeaf);
-        next = isHit ? kBvhDone : popped;
+        const LeafTriangles triangles = lowestLeaf(leafSlots, firstTriangle);
+        const TriangleHit a = testTriangle(ray, triangles.first, tEnd);
+        const TriangleHit b = testTriangle(ray, triangles.second, tEnd);
+        isHit = hasSlots(leafSlots) && ((a.isHit && a.t < tEnd) || (b.isHit && b.t < tEnd));
+        leafSlots -= lowestSlotBit(leafSlots);
+        isDone = isHit || !hasSlots(siblings | leafSlots);
     }
-    bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || next != kBvhDone;
+    bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || !isDone;
     return isHit;
 }
 
@@ -122,7 +141,18 @@ Hit nearer(Hit best, TriangleHit hit, uint triangle, float tMax) {
     return best;
 }
 
+// Where to go on after a visit: the nearest of the inner children that the ray meets, if there is any, or the first of
+// `siblings`. Whose turn it is after that: the other children, the siblings left, or those put aside last.
+uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings) {
+    const uint left = hasInner ? siblings : withoutFront(siblings);
+    const bool goesDown = hasInner && queueLength(others) != 0u;
+    const bool goesUp = !hasInner && queueLength(left) == 0u;
+    const uint last = exchangeInMemory(siblings, goesDown, goesUp);
+    return goesDown ? others : (goesUp ? last : left);
+}
+
 // The nearest triangle at t in (0, tMax); of several at the same t the first in leaf order.
+// `siblings` is a queue, see bvh_ray.h, to be visited after `node`.
 Hit closestHit(vec3 origin, vec3 direction, float tMax) {
     const TraversalRay ray = makeTraversalRay(origin, direction);
     Hit best;
@@ -130,28 +160,37 @@ Hit closestHit(vec3 origin, vec3 direction, float tMax) {
     best.triangle = kNoHit;
     best.barycentrics = vec2(0.0f);
     beginTraversal();
-    uint next = 0u;
-    while (next != kBvhDone) {
-        const uint rayCount = countInvocations(true);
-        bool descends = true;
+    uint node = 0u;
+    bool hasNode = true;
+    uint siblings = 0u;
+    uint leafSlots = 0u;
+    uint firstTriangle = 0u;
+    bool isDone = false;
+    while (!isDone) {
+        bool descends = hasNode && !hasSlots(leafSlots);
+        int count = 0;
         while (descends) {
-            const NodeVisit visit = visitChildren(ray, next, best.t);
-            next = nextAfter(next, visit, isRightNearer(visit));
-            descends = mostDescend(next, rayCount);
+            const NodeVisit visit = visitNode(ray, node, best.t);
+            leafSlots = visit.leafSlots;
+            firstTriangle = visit.firstTriangle;
+            const bool hasInner = hasSlots(visit.innerSlots);
+            const NearestFirst children = nearestFirst(visit);
+            hasNode = hasInner || queueLength(siblings) != 0u;
+            node = hasInner ? children.nearest : queueFront(siblings);
+            siblings = nextInOrderOfDistance(children.others, hasInner, siblings);
+            ++count;
+            descends = hasNode && !hasSlots(leafSlots) && count < kMostNodesClosest;
         }
-        bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || descends;
-        const bool isLeaf = (next & kBvhLeaf) != 0u;
-        const uint count = isLeaf ? next & 15u : 0u;
-        const uint first = isLeaf ? (next & ~kBvhLeaf) >> 4 : 0u;
-        const uint second = first + (count >> 1);
-        TriangleHit a = testTriangle(ray, first, best.t);
-        TriangleHit b = testTriangle(ray, second, best.t);
-        a.isHit = a.isHit && count != 0u;
-        b.isHit = b.isHit && count != 0u;
-        best = nearer(nearer(best, a, first, tMax), b, second, tMax);
-        next = popNode(next, isLeaf);
+        const LeafTriangles triangles = lowestLeaf(leafSlots, firstTriangle);
+        TriangleHit a = testTriangle(ray, triangles.first, best.t);
+        TriangleHit b = testTriangle(ray, triangles.second, best.t);
+        a.isHit = a.isHit && hasSlots(leafSlots);
+        b.isHit = b.isHit && hasSlots(leafSlots);
+        best = nearer(nearer(best, a, triangles.first, tMax), b, triangles.second, tMax);
+        leafSlots -= lowestSlotBit(leafSlots);
+        isDone = !hasNode && !hasSlots(leafSlots);
     }
-    bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || next != kBvhDone;
+    bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || !isDone;
     return best;
 }
 

@@ -10,7 +10,7 @@
 layout(constant_id = 0) const bool kAnyHit = false;
 
 layout(local_size_x = kTraceRaysGroupSize) in;
-layout(set = 0, binding = kBindingRayQueries, scalar) readonly buffer QueryBlock { RayQuery queries[]; };
+layout(set = 0, binding = kBindingRayQueries, rgba32f) readonly uniform imageBuffer queries;  // two texels per RayQuery
 // Which of the two views of the answers is used is up to kAnyHit.
 layout(set = 0, binding = kBindingRayAnswers, scalar) writeonly buffer HitBlock { RayHit hits[]; };
 layout(set = 0, binding = kBindingRayAnswers, scalar) writeonly buffer OccludedBlock { uint occludedFlags[]; };
@@ -20,11 +20,12 @@ layout(push_constant, scalar) uniform Push { TraceRaysPush push; };
 void main() {
     const uint i = push.firstRay + gl_GlobalInvocationID.x;
     if (i >= push.endRay) return;
-    const RayQuery query = queries[i];
+    const vec4 start = imageLoad(queries, int(2u * i));  // and tMax
+    const vec3 direction = imageLoad(queries, int(2u * i + 1u)).xyz;
     if (kAnyHit) {
-        occludedFlags[i] = occluded(query.origin, query.direction, query.tMax) ? 1u : 0u;
+        occludedFlags[i] = occluded(start.xyz, direction, start.w) ? 1u : 0u;
     } else {
-        const Hit hit = closestHit(query.origin, query.direction, query.tMax);
+        const Hit hit = closestHit(start.xyz, direction, start.w);
         hits[i] = RayHit(hit.t, hit.triangle, hit.barycentrics);
     }
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);

@@ -6,8 +6,8 @@
 MANYLIGHT_SHARED_BEGIN
 
 MANYLIGHT_CONSTANT(int, kBindingFrame, 0);              // uniform: FrameConstants
-MANYLIGHT_CONSTANT(int, kBindingBvhNodes, 1);   // storage texel buffer, RGBA32_UINT: two texels per BvhNode
-MANYLIGHT_CONSTANT(int, kBindingTriangles, 2);  // storage texel buffer, RGBA32_UINT: three texels per triangle
+MANYLIGHT_CONSTANT(int, kBindingBvhNodes, 1);           // storage texel buffer, RGBA32_UINT: three texels per BvhNode
+MANYLIGHT_CONSTANT(int, kBindingTriangles, 2);          // storage texel buffer, RGBA32_UINT: three texels per triangle
 MANYLIGHT_CONSTANT(int, kBindingTriangleMaterials, 3);  // storage: uint per triangle
 MANYLIGHT_CONSTANT(int, kBindingTriangleUvs, 4);        // storage: three vec2 per triangle
 MANYLIGHT_CONSTANT(int, kBindingMaterials, 5);          // storage: Material
@@ -27,7 +27,7 @@ MANYLIGHT_CONSTANT(int, kBindingRadiance, 18);          // image RGBA32F: radian
 MANYLIGHT_CONSTANT(int, kBindingRadianceSum, 19);       // image RGBA32F: sum over frames
 MANYLIGHT_CONSTANT(int, kBindingDisplay, 20);           // image RGBA8: what is shown
 MANYLIGHT_CONSTANT(int, kBindingVplTexels, 21);         // storage texel buffer, RGBA32F: kTexelsPerLight per VPL
-MANYLIGHT_CONSTANT(int, kBindingRayQueries, 22);        // storage: RayQuery
+MANYLIGHT_CONSTANT(int, kBindingRayQueries, 22);        // storage texel buffer, RGBA32F: two texels per RayQuery
 MANYLIGHT_CONSTANT(int, kBindingRayAnswers, 23);        // storage: RayHit or a uint flag per RayQuery
 MANYLIGHT_CONSTANT(int, kBindingRoundingError, 24);     // image RGBA32F: what the sum over frames lost by rounding
 MANYLIGHT_CONSTANT(int, kBindingSquaredDeviations, 25); // image RGBA32F: from the mean, summed over frames

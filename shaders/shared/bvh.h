@@ -1,33 +1,38 @@
-// The BVH as rays read it: 32 bytes per node, both children's boxes in 8-bit steps of a frame of the node's own.
+// The BVH as rays read it: four children a node, 48 bytes, their boxes in 8-bit steps of a frame of the node's own.
 #ifndef MANYLIGHT_SHARED_BVH_H
 #define MANYLIGHT_SHARED_BVH_H
 #include "shaders/shared/language.h"
 
 MANYLIGHT_SHARED_BEGIN
 
-// Node 0 is the root; nodes lie depth first. Each child is an inner node or a leaf of 1 to kBvhMaxLeafSize triangles.
-// Plane q of an axis is at origin + (1 + q / 256) * 2^(exponent - 127): a float whose mantissa starts with q.
+// Node 0 is the root. Slots 0 to 3 hold first the inner children, then leaves of two triangles, then leaves of one,
+// then nothing. The largest inner box comes first, as an occluder is likeliest there, except near the root of a tree so
+// deep that kBvhShortStackSize would not do. Plane q of an axis is at origin + (1 + q / 256) * 2^(exponent - 127): a
+// float whose mantissa starts with q.
 struct BvhNode {
     vec3 origin;
-    // Bits 0-7, 8-15, 16-23: exponents of x, y, z. Bits 24-27, 28-31: triangles of the left and right child, 0 = inner.
-    uint exponentsAndCounts;
-    // Per axis, from the low byte: left lower, right lower, left upper, right upper plane. An absent child has lower >
-    // upper.
-    uint planesX;
-    uint planesY;
-    uint planesZ;
-    // Two inner children: node of the right one (the left one is the next node). A leaf among them: its first triangle;
-    // an inner sibling is the next node. Two leaves: the left one's first triangle; the right one's follow.
-    uint index;
+    // Bits 0-7, 8-15, 16-23: exponents of x, y, z. Bits 24-27: which slots hold inner children. Bits 28-30: how many
+    // slots come before the leaves of one triangle.
+    uint exponentsAndSlots;
+    uint lowerX;  // a byte per slot, from the low one
+    uint upperX;
+    uint lowerY;
+    uint upperY;
+    uint lowerZ;
+    uint upperZ;
+    // Bits 0-23: node of the first inner child, which the others follow. Bits 24-27: which slots hold leaves.
+    uint firstChildAndLeaves;
+    // Triangles of the leaf in slot s start at firstTriangle + s + min(s, slots before the leaves of one triangle), in
+    // 32 bits: as if two triangles of each inner child came before.
+    uint firstTriangle;
 };
 
-MANYLIGHT_CONSTANT(uint, kBvhMaxLeafSize, 2u);  // a traversal tests two at once, without a loop
-MANYLIGHT_CONSTANT(int, kBvhStackSize, 48);  // more than the depth of any BVH that buildBvh() returns
-MANYLIGHT_CONSTANT(uint, kBvhMaxTriangles, 0x07ffffffu);
-
-// What a traversal has to visit next, in 32 bits: an inner node's index, or kBvhLeaf | first triangle * 16 | count.
-MANYLIGHT_CONSTANT(uint, kBvhLeaf, 0x80000000u);
-MANYLIGHT_CONSTANT(uint, kBvhDone, 0x80000000u);  // a leaf of no triangles: the bottom of the stack
+MANYLIGHT_CONSTANT(int, kBvhTexelsPerNode, 3);
+MANYLIGHT_CONSTANT(uint, kBvhWidth, 4u);
+MANYLIGHT_CONSTANT(uint, kBvhMaxLeafSize, 2u);         // a traversal tests two at once, without a loop
+MANYLIGHT_CONSTANT(int, kBvhStackSize, 32);            // more than the depth of any BVH that buildBvh() returns
+MANYLIGHT_CONSTANT(uint, kBvhShortStackSize, 12u);     // enough for visits in the order of slots, see Bvh::putAside
+MANYLIGHT_CONSTANT(uint, kBvhMaxTriangles, 3u << 23);  // as many give at most 2^24 nodes, as bits 0-23 can tell
 
 MANYLIGHT_CONSTANT(uint, kNoHit, 0xffffffffu);
 

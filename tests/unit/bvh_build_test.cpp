@@ -1,10 +1,12 @@
 #include "engine/accel/build_tree.h"
 #include "engine/accel/bvh.h"
 #include "shaders/shared/packing.h"
+#include "tests/unit/bvh_comb.h"
 #include "tests/unit/bvh_scenes.h"
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstring>
 
 namespace manylight {
@@ -15,17 +17,18 @@ struct PlaneBox {
     glm::dvec3 upper{0.0};
 };
 
-PlaneBox childBox(const shared::BvhNode& node, uint32_t child) {
-    const std::array<uint32_t, 3> planes{node.planesX, node.planesY, node.planesZ};
+PlaneBox childBox(const shared::BvhNode& node, uint32_t slot) {
+    const std::array<uint32_t, 3> lower{node.lowerX, node.lowerY, node.lowerZ};
+    const std::array<uint32_t, 3> upper{node.upperX, node.upperY, node.upperZ};
     PlaneBox box;
     for (int axis = 0; axis < 3; ++axis) {
-        const int exponent = static_cast<int>(node.exponentsAndCounts >> (8 * axis) & 255u) - 127;
-        const auto plane = [&](uint32_t byte) {
-            const double q = planes[static_cast<size_t>(axis)] >> (8 * byte) & 255u;
+        const int exponent = static_cast<int>(node.exponentsAndSlots >> (8 * axis) & 255u) - 127;
+        const auto plane = [&](uint32_t planes) {
+            const double q = planes >> (8 * slot) & 255u;
             return static_cast<double>(node.origin[axis]) + std::ldexp(1.0 + q / 256.0, exponent);
         };
-        box.lower[axis] = plane(child);
-        box.upper[axis] = plane(child + 2);
+        box.lower[axis] = plane(lower[static_cast<size_t>(axis)]);
+        box.upper[axis] = plane(upper[static_cast<size_t>(axis)]);
     }
     return box;
 }
@@ -35,7 +38,7 @@ class Walk {
   public:
     Walk(const Scene& scene, const Bvh& bvh) : scene_(scene), bvh_(bvh), seen_(bvh.triangleOrder.size(), 0) {
         nodeVisits_ = 1;
-        visit(0, {}, 1);
+        visit(0, {}, 1, 0);
     }
 
     void expectComplete() const {
@@ -43,6 +46,8 @@ class Walk {
         EXPECT_EQ(nodeVisits_, bvh_.nodes.size());
         EXPECT_EQ(deepest_, bvh_.depth);
         EXPECT_LT(bvh_.depth, static_cast<uint32_t>(shared::kBvhStackSize));
+        EXPECT_LE(mostPutAside_, bvh_.putAside);
+        EXPECT_LE(bvh_.putAside, shared::kBvhShortStackSize);
         for (const uint32_t times : seen_) ASSERT_EQ(times, 1u);
         std::vector<uint32_t> order = bvh_.triangleOrder;
         std::ranges::sort(order);
@@ -51,28 +56,32 @@ class Walk {
     }
 
   private:
-    void visit(uint32_t index, std::vector<PlaneBox> above, uint32_t depth) {
+    void visit(uint32_t index, const std::vector<PlaneBox>& above, uint32_t depth, uint32_t putAside) {
         deepest_ = std::max(deepest_, depth);
+        mostPutAside_ = std::max(mostPutAside_, putAside);
         const shared::BvhNode& node = bvh_.nodes[index];
-        const uint32_t leftCount = node.exponentsAndCounts >> 24 & 15u;
-        const uint32_t rightCount = node.exponentsAndCounts >> 28;
-        for (uint32_t child = 0; child < 2; ++child) {
-            const PlaneBox box = childBox(node, child);
-            if (box.lower.x > box.upper.x) continue;
+        const uint32_t innerSlots = node.exponentsAndSlots >> 24 & 15u;
+        const uint32_t innerCount = static_cast<uint32_t>(std::popcount(innerSlots));
+        EXPECT_EQ(innerSlots, (1u << innerCount) - 1u) << "inner children come first";
+        const uint32_t singlesStart = node.exponentsAndSlots >> 28;
+        for (uint32_t slot = 0; slot < shared::kBvhWidth; ++slot) {
             std::vector<PlaneBox> boxes = above;
-            boxes.push_back(box);
-            const uint32_t count = child == 0 ? leftCount : rightCount;
-            if (count != 0) {
-                visitLeaf(child == 0 ? node.index : node.index + leftCount, count, boxes);
-            } else {
+            boxes.push_back(childBox(node, slot));
+            const bool isLeaf = (node.firstChildAndLeaves >> (24 + slot) & 1u) != 0;
+            EXPECT_FALSE(isLeaf && slot < innerCount);
+            if (slot < innerCount) {
                 ++nodeVisits_;
-                visit(child == 0 || leftCount != 0 ? index + 1 : node.index, boxes, depth + 1);
+                visit((node.firstChildAndLeaves & 0xffffffu) + slot, boxes, depth + 1,
+                      putAside + (slot + 1 < innerCount ? 1 : 0));
+            } else if (isLeaf) {
+                visitLeaf(node.firstTriangle + slot + std::min(slot, singlesStart), slot < singlesStart ? 2 : 1, boxes);
             }
         }
     }
 
     void visitLeaf(uint32_t first, uint32_t count, const std::vector<PlaneBox>& boxes) {
         for (uint32_t i = first; i < first + count; ++i) {
+            ASSERT_LT(i, seen_.size());
             ++seen_[i];
             for (const uint32_t vertex : scene_.triangles[bvh_.triangleOrder[i]].vertex) {
                 const glm::dvec3 p = scene_.vertices[vertex].position;
@@ -91,6 +100,7 @@ class Walk {
     uint64_t escapes_ = 0;
     uint32_t nodeVisits_ = 0;
     uint32_t deepest_ = 0;
+    uint32_t mostPutAside_ = 0;
 };
 
 void expectSound(const Scene& scene) {
@@ -117,12 +127,12 @@ TEST(BvhBuild, AFewTrianglesAreEnough) {
     for (uint32_t count = 1; count <= 9; ++count) expectSound(test::triangleSoup(count, 0.5f, count));
 }
 
-TEST(BvhBuild, NoTriangleIsOneNodeOfTwoAbsentChildren) {
+TEST(BvhBuild, NoTriangleIsOneNodeWithoutChildren) {
     const Bvh bvh = buildBvh(Scene{});
     ASSERT_EQ(bvh.nodes.size(), 1u);
     EXPECT_TRUE(bvh.triangleOrder.empty());
-    EXPECT_EQ(bvh.nodes[0].planesX & 0xffu, 255u);  // lower plane
-    EXPECT_EQ(bvh.nodes[0].planesX >> 16 & 0xffu, 0u);
+    EXPECT_EQ(bvh.nodes[0].exponentsAndSlots >> 24 & 15u, 0u);
+    EXPECT_EQ(bvh.nodes[0].firstChildAndLeaves >> 24, 0u);
     EXPECT_TRUE(packTriangles(Scene{}, bvh).empty());
 }
 
@@ -168,7 +178,28 @@ TEST(BvhBuild, TheShallowTreeIsSoundAndShallow) {
     const Scene scene = test::triangleSoup(4096, 0.1f, 5);
     const Bvh bvh = layoutTree(buildBalancedTree(triangleBoxes(scene), {.maxLeafSize = 2}));
     Walk(scene, bvh).expectComplete();
-    EXPECT_EQ(bvh.depth, 11u);  // 4096 / 2 leaves
+    EXPECT_EQ(bvh.depth, 6u);  // 4096 / 2 leaves, four times as many with every level
+}
+
+TEST(BvhBuild, TheLargestInnerChildComesFirst) {
+    const Bvh bvh = buildBvh(test::triangleSoup(5000, 0.1f, 10));
+    for (const shared::BvhNode& node : bvh.nodes) {
+        const auto area = [&](uint32_t slot) {
+            const PlaneBox box = childBox(node, slot);
+            const glm::dvec3 size = box.upper - box.lower;
+            return size.x * size.y + size.y * size.z + size.z * size.x;
+        };
+        const uint32_t innerCount = static_cast<uint32_t>(std::popcount(node.exponentsAndSlots >> 24 & 15u));
+        for (uint32_t slot = 1; slot < innerCount; ++slot) ASSERT_LE(area(slot), 1.1 * area(slot - 1));
+    }
+}
+
+TEST(BvhBuild, ADeepTreeNeedsNoDeepStack) {
+    const test::Comb comb = test::makeComb(60);
+    const Bvh bvh = layoutTree(comb.tree);
+    EXPECT_GE(bvh.depth, 20u);
+    EXPECT_EQ(bvh.putAside, shared::kBvhShortStackSize);  // the largest child comes last in the upper nodes only
+    Walk(comb.scene, bvh).expectComplete();
 }
 
 TEST(BvhBuild, FitsTheMemoryBudget) {

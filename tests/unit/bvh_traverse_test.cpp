@@ -1,10 +1,12 @@
 // The traversal of the shaders, compiled as C++, against testing every triangle and against Embree.
+#include "engine/accel/build_tree.h"
 #include "engine/accel/bvh.h"
 #include "engine/accel/embree_reference.h"
 #include "engine/accel/ray_sets.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/bvh_ray.h"
 #include "shaders/shared/ray_offset.h"
+#include "tests/unit/bvh_comb.h"
 #include "tests/unit/bvh_scenes.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +23,7 @@ struct TexelBuffer {
 };
 TexelBuffer bvhNodes;
 TexelBuffer bvhTriangles;
-uint countInvocations(bool condition) { return condition ? 1 : 0; }
+bool kBvhStackInRegisters = true;  // a specialisation constant in shaders
 uvec4 imageLoad(const TexelBuffer& buffer, int index) {
     if (index < 0 || index >= buffer.size) throw std::out_of_range("imageLoad");
     return buffer.texels[index];
@@ -39,13 +41,14 @@ using shared::RayQuery;
 /// Binds a scene's buffers to the traversal for as long as it lives.
 class Traversal {
   public:
-    explicit Traversal(const Scene& scene) : bvh_(buildBvh(scene)), corners_(packTriangles(scene, bvh_)) {
-        static_assert(sizeof(shared::BvhNode) == 2 * sizeof(glm::uvec4));
+    explicit Traversal(const Scene& scene) : Traversal(scene, buildBvh(scene)) {}
+    Traversal(const Scene& scene, Bvh bvh) : bvh_(std::move(bvh)), corners_(packTriangles(scene, bvh_)) {
+        static_assert(sizeof(shared::BvhNode) == shared::kBvhTexelsPerNode * sizeof(glm::uvec4));
         shared::bvhNodes.texels = reinterpret_cast<const glm::uvec4*>(bvh_.nodes.data());
         corners_.resize(std::max<size_t>(corners_.size(), 3));  // as on the device
         shared::bvhTriangles.texels = reinterpret_cast<const glm::uvec4*>(corners_.data());
         shared::bvhTriangles.size = static_cast<int>(corners_.size());
-        shared::bvhNodes.size = static_cast<int>(bvh_.nodes.size() * 2);
+        shared::bvhNodes.size = static_cast<int>(bvh_.nodes.size()) * shared::kBvhTexelsPerNode;
         shared::bvhLoopBudgetExceeded = false;
     }
     ~Traversal() { EXPECT_FALSE(shared::bvhLoopBudgetExceeded); }
@@ -53,7 +56,14 @@ class Traversal {
     Traversal& operator=(const Traversal&) = delete;
 
     shared::Hit closest(const RayQuery& ray) const { return shared::closestHit(ray.origin, ray.direction, ray.tMax); }
-    bool occluded(const RayQuery& ray) const { return shared::occluded(ray.origin, ray.direction, ray.tMax); }
+    bool occluded(const RayQuery& ray) const {
+        shared::kBvhStackInRegisters = false;
+        const bool byMemory = shared::occluded(ray.origin, ray.direction, ray.tMax);
+        shared::kBvhStackInRegisters = true;
+        const bool byRegisters = shared::occluded(ray.origin, ray.direction, ray.tMax);
+        EXPECT_EQ(byMemory, byRegisters);
+        return byRegisters;
+    }
     uint32_t sceneTriangle(const shared::Hit& hit) const { return bvh_.triangleOrder[hit.triangle]; }
 
     /// The same triangle test on all triangles, without boxes.
@@ -73,8 +83,7 @@ class Traversal {
     std::vector<glm::vec4> corners_;
 };
 
-void expectSameAsBruteForce(const Scene& scene, const std::vector<RayQuery>& rays) {
-    const Traversal traversal(scene);
+void expectSameAsBruteForce(const Traversal& traversal, const std::vector<RayQuery>& rays) {
     for (const RayQuery& ray : rays) {
         const shared::Hit expected = traversal.bruteForce(ray);
         const shared::Hit hit = traversal.closest(ray);
@@ -86,6 +95,10 @@ void expectSameAsBruteForce(const Scene& scene, const std::vector<RayQuery>& ray
         }
         ASSERT_EQ(traversal.occluded(ray), expected.triangle != shared::kNoHit);
     }
+}
+
+void expectSameAsBruteForce(const Scene& scene, const std::vector<RayQuery>& rays) {
+    expectSameAsBruteForce(Traversal(scene), rays);
 }
 
 TEST(BvhTraverse, RandomRaysFindWhatTestingAllTrianglesFinds) {
@@ -127,6 +140,40 @@ TEST(BvhTraverse, AFewTriangles) {
     for (uint32_t count = 1; count <= 9; ++count) {
         expectSameAsBruteForce(test::triangleSoup(count, 1.5f, count), test::randomRays(500, count));
     }
+}
+
+TEST(BvhTraverse, DeepTreesDoNotOverflowTheStacks) {
+    const test::Comb comb = test::makeComb(60);
+    const Traversal traversal(comb.scene, layoutTree(comb.tree));
+    std::vector<RayQuery> rays = test::randomRays(20000, 13);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        // Every second ray runs through most boxes, the others at a triangle.
+        const glm::vec3& corner = comb.scene.vertices[i % comb.scene.vertices.size()].position;
+        const glm::vec3& next = comb.scene.vertices[(i + 1) % comb.scene.vertices.size()].position;
+        if (i % 2 == 0) rays[i].origin = glm::vec3(1.0f, 0.3f, 0.1f) * rays[i].origin;
+        rays[i].direction = (i % 2 == 0 ? glm::vec3(0.0f) : 0.5f * corner + 0.5f * next) - rays[i].origin;
+        rays[i].tMax = 1e10f;
+    }
+    expectSameAsBruteForce(traversal, rays);
+}
+
+TEST(BvhTraverse, QueuesAreInOrderOfDistance) {
+    shared::NodeVisit visit{};
+    visit.firstChild = 1000;
+    visit.entry = glm::ivec4(64, 0, 128, 32);
+    visit.innerSlots = 15;
+    shared::NearestFirst order = shared::nearestFirst(visit);
+    EXPECT_EQ(order.nearest, 1001u);
+    for (const uint32_t expected : {1003u, 1000u, 1002u}) {
+        ASSERT_NE(shared::queueLength(order.others), 0u);
+        EXPECT_EQ(shared::queueFront(order.others), expected);
+        order.others = shared::withoutFront(order.others);
+    }
+    EXPECT_EQ(shared::queueLength(order.others), 0u);
+    visit.innerSlots = 4;
+    order = shared::nearestFirst(visit);
+    EXPECT_EQ(order.nearest, 1002u);
+    EXPECT_EQ(shared::queueLength(order.others), 0u);
 }
 
 TEST(BvhTraverse, ZeroDirectionsAndNaNMiss) {

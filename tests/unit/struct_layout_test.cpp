@@ -4,7 +4,6 @@
 #include "shaders/shared/lights.h"
 #include "shaders/shared/material.h"
 #include "shaders/shared/path_trace.h"
-#include "shaders/shared/ray.h"
 #include "shaders/shared/show.h"
 #include "shaders/shared/tonemap.h"
 #include "shaders/shared/trace_rays.h"
@@ -78,9 +77,6 @@ const std::map<std::string, ExpectedStruct> kStructs = {
      {{MEMBER(PathTracePush, firstRow), MEMBER(PathTracePush, endRow), MEMBER(PathTracePush, minScatterings),
        MEMBER(PathTracePush, maxScatterings), MEMBER(PathTracePush, russianRoulette), MEMBER(PathTracePush, jitter)},
       sizeof(shared::PathTracePush)}},
-    {"RayQuery",
-     {{MEMBER(RayQuery, origin), MEMBER(RayQuery, tMax), MEMBER(RayQuery, direction), MEMBER(RayQuery, unused)},
-      sizeof(shared::RayQuery)}},
     {"RayHit", {{MEMBER(RayHit, t), MEMBER(RayHit, triangle), MEMBER(RayHit, barycentrics)}, sizeof(shared::RayHit)}},
     {"TraceRaysPush",
      {{MEMBER(TraceRaysPush, firstRay), MEMBER(TraceRaysPush, endRay)}, sizeof(shared::TraceRaysPush)}},
