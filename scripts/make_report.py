@@ -20,7 +20,7 @@ pre { font-size: 12px; overflow-x: auto; background: #f6f6f6; padding: .8rem; }
 table { border-collapse: collapse; } td, th { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #eee; }
 td:first-child, th:first-child { text-align: left; }
 figure { display: inline-block; margin: 0 .6rem 1rem 0; vertical-align: top; } figcaption { font-size: 12px; color: #555; }
-img.plot { max-width: 100%; } .worse { color: #a33; } .better { color: #070; }
+img.plot { max-width: 100%; } figure img { width: 320px; image-rendering: pixelated; } .worse { color: #a33; } .better { color: #070; }
 """
 
 
@@ -28,11 +28,12 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programs", type=pathlib.Path, required=True, help="folder of the manylight programs")
     parser.add_argument("--output", type=pathlib.Path, required=True, help="folder for the page and its pictures")
-    parser.add_argument("--size", default="256x192")
+    parser.add_argument("--size", default="160x120", help="of the error measurements")
     parser.add_argument("--seconds", default="8", help="of every mode and seed")
-    parser.add_argument("--seeds", default="8")
-    parser.add_argument("--reference-seconds", default="240")
-    parser.add_argument("--vpls", default="64", help="of the error measurements")
+    parser.add_argument("--seeds", default="6")
+    parser.add_argument("--reference-seconds", default="150")
+    parser.add_argument("--vpls", default="32", help="of the error measurements")
+    parser.add_argument("--fps-size", default="320x240")
     parser.add_argument("--fps-vpls", default="20,50,90,200,500,800")
     parser.add_argument("scenes", nargs="+", type=pathlib.Path)
     return parser.parse_args()
@@ -48,7 +49,7 @@ def measure(arguments, scene, folder):
     """Frame rates and errors of one scene, with their plots and pictures, into `folder`."""
     bench = arguments.programs / "manylight-bench"
     folder.mkdir(parents=True, exist_ok=True)
-    run([bench, "fps", scene, "--size", arguments.size, "--vpls", arguments.fps_vpls, "--text", folder / "fps.txt",
+    run([bench, "fps", scene, "--size", arguments.fps_size, "--vpls", arguments.fps_vpls, "--text", folder / "fps.txt",
          "--json", folder / "fps.json", "--csv", folder / "fps.csv", "--plot", folder / "fps.png"])
     run([bench, "error", scene, "--size", arguments.size, "--vpls", arguments.vpls, "--seconds", arguments.seconds,
          "--seeds", arguments.seeds, "--reference-seconds", arguments.reference_seconds, "--text",
