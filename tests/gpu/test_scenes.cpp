@@ -208,7 +208,7 @@ Scene everyKindOfLight() {
 Scene sphereInBox() {
     Scene scene = unevenBox();
     scene.lights[0].emission *= 0.3f;
-    addSphere(scene, {-0.28f, -0.3f, -0.28f}, 0.2f, 2, false, false, addMaterial(scene, {0.7f, 0.5f, 0.3f}));
+    addSphere(scene, {-0.2f, -0.2f, -0.2f}, 0.2f, 2, false, false, addMaterial(scene, {0.7f, 0.5f, 0.3f}));
     addQuad(scene, {-0.1f, 0.45f, -0.3f}, {0.3f, 0, 0}, {0, 0, 0.3f},
             addMaterial(scene, glm::vec3(0.3f), {3.0f, 4.0f, 5.0f}));
     scene.cameras.clear();

@@ -31,7 +31,7 @@ Scene unevenBox();
 Scene floorFromAbove(float albedo);
 /// A room with a smooth sphere, textured walls, and every kind of light.
 Scene everyKindOfLight();
-/// A closed room with an area light, a point light, and a sphere that lies in a corner: concave edges everywhere.
+/// A closed room with an area light, a point light, and a sphere in it, off the walls: unbounded, G scatters less.
 Scene sphereInBox();
 /// Two rooms, the camera in one and the lamp in the other: all light comes by way of the door.
 Scene twoRooms();
