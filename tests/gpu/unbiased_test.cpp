@@ -14,9 +14,9 @@ constexpr double kPlanted = 1.02;
 struct Case {
     const char* name;
     Scene (*scene)();
-    uint32_t vpls;   // for errors small enough to see the planted factor
+    uint32_t vpls;  // for errors small enough to see the planted factor
     uint32_t frames;
-    float bound;     // c that cuts off at least a tenth of the VPLs' light
+    float bound;  // c that cuts off at least a tenth of the VPLs' light
 };
 
 /// Light paths meet 6 surfaces at most, and so do the path tracer's.
@@ -37,7 +37,8 @@ PictureSamples truthOf(const Scene& scene, RenderSettings settings, uint32_t fra
 }
 
 /// Forward shading at less expense: it is deferred shading's sum, by other passes.
-void expectForwardToAgree(const Scene& scene, RenderSettings settings, const PictureSamples& truth, double largestError) {
+void expectForwardToAgree(const Scene& scene, RenderSettings settings, const PictureSamples& truth,
+                          double largestError) {
     settings.vplCount = 100;
     for (const Technique technique : {Technique::Forward, Technique::ForwardPrepass}) {
         SCOPED_TRACE(name(technique));

@@ -25,7 +25,8 @@ std::vector<double> blockMeans(const Image& image) {
     for (size_t i = 0; i < image.texels.size(); ++i) {
         const size_t x = i / 3 % image.width;
         const size_t y = i / 3 / image.width;
-        means[(y / height * kColumns + x / width) * 3 + i % 3] += double{image.texels[i]} / static_cast<double>(width * height);
+        means[(y / height * kColumns + x / width) * 3 + i % 3] +=
+            double{image.texels[i]} / static_cast<double>(width * height);
     }
     return means;
 }
@@ -58,7 +59,8 @@ bool toldApart(const PictureSamples& a, const PictureSamples& b) {
 void expectSameMeans(const PictureSamples& a, const PictureSamples& b, double largestError) {
     const Mean ofA = meanOf(a.mean);
     const Mean ofB = meanOf(b.mean);
-    const std::string means = fmt::format("{} +- {} and {} +- {}", ofA.value, ofA.standardError, ofB.value, ofB.standardError);
+    const std::string means =
+        fmt::format("{} +- {} and {} +- {}", ofA.value, ofA.standardError, ofB.value, ofB.standardError);
     EXPECT_LT(std::hypot(ofA.standardError, ofB.standardError), largestError * ofB.value)
         << "the samples scatter too much to say anything: " << means;
     const double significance = sidak(kSignificance, kBlocks + 1);

@@ -10,7 +10,8 @@ constexpr int kMostTerms = 10000;
 constexpr double kTiny = 1e-300;
 constexpr double kEnough = 1e-15;
 
-/// Continued fraction b0 + a1 / (b1 + a2 / (b2 + ...)) by the modified method of Lentz (1976). `term(i)` gives a_i, b_i.
+/// Continued fraction b0 + a1 / (b1 + a2 / (b2 + ...)) by the modified method of Lentz (1976). `term(i)` gives a_i,
+/// b_i.
 template <typename Term>
 double continuedFraction(double b0, Term term) {
     double value = b0 == 0.0 ? kTiny : b0;
@@ -45,9 +46,7 @@ double upperGamma(double a, double x) {
         for (int i = 1; i < kMostTerms && term > kEnough * sum; ++i) sum += term *= x / (a + i);
         return 1.0 - front * sum;
     }
-    return front / continuedFraction(x + 1.0 - a, [&](int i) {
-               return Fraction{-i * (i - a), x + 2.0 * i + 1.0 - a};
-           });
+    return front / continuedFraction(x + 1.0 - a, [&](int i) { return Fraction{-i * (i - a), x + 2.0 * i + 1.0 - a}; });
 }
 
 double incompleteBeta(double a, double b, double x) {
@@ -117,9 +116,9 @@ double welchPValue(const std::vector<double>& a, const std::vector<double>& b) {
     const double squaredB = meanB.standardError * meanB.standardError;
     const double squared = squaredA + squaredB;
     if (squared == 0.0) return meanA.value == meanB.value ? 1.0 : 0.0;
-    const double degreesOfFreedom =
-        squared * squared / (squaredA * squaredA / (static_cast<double>(a.size()) - 1.0) +
-                             squaredB * squaredB / (static_cast<double>(b.size()) - 1.0));
+    const double degreesOfFreedom = squared * squared /
+                                    (squaredA * squaredA / (static_cast<double>(a.size()) - 1.0) +
+                                     squaredB * squaredB / (static_cast<double>(b.size()) - 1.0));
     return studentPValue((meanA.value - meanB.value) / std::sqrt(squared), degreesOfFreedom);
 }
 

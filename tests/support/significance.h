@@ -16,8 +16,8 @@ double chiSquarePValue(double statistic, double degreesOfFreedom);
 /// Chance that |t| or more comes up, of Student's t; `degreesOfFreedom` need not be a whole number.
 double studentPValue(double t, double degreesOfFreedom);
 
-/// Pearson's test that `counts` come from a distribution with those `expected` counts, of the same sum. Bins that expect
-/// fewer than 5 are pooled.
+/// Pearson's test that `counts` come from a distribution with those `expected` counts, of the same sum. Bins that
+/// expect fewer than 5 are pooled.
 double chiSquareTest(const std::vector<double>& counts, const std::vector<double>& expected);
 
 struct Mean {

@@ -12,7 +12,8 @@ namespace {
 TEST(SignificanceTests, PValuesAreThoseOfTheTables) {
     // Two degrees of freedom have a closed form, and so has Student's t with one (Cauchy) and with two.
     for (const double x : {0.1, 1.0, 5.0, 30.0}) EXPECT_NEAR(chiSquarePValue(x, 2.0), std::exp(-0.5 * x), 1e-13);
-    for (const double x : {0.1, 1.0, 5.0, 30.0}) EXPECT_NEAR(chiSquarePValue(x, 1.0), std::erfc(std::sqrt(0.5 * x)), 1e-12);
+    for (const double x : {0.1, 1.0, 5.0, 30.0})
+        EXPECT_NEAR(chiSquarePValue(x, 1.0), std::erfc(std::sqrt(0.5 * x)), 1e-12);
     for (const double t : {0.1, 1.0, 5.0, 30.0}) {
         EXPECT_NEAR(studentPValue(t, 1.0), 1.0 - std::atan(t) / std::atan(1.0) / 2.0, 1e-12);
         EXPECT_NEAR(studentPValue(-t, 2.0), 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
@@ -54,8 +55,8 @@ TEST(SignificanceTests, WelchRejectsWhatIsTrueAsOftenAsItSays) {
 }
 
 TEST(SignificanceTests, WelchRejectsShiftedSamples) {
-    // The standard error of the difference is sqrt(1.25 / 16) = 0.28. At 5 of these, a normal variable is beyond the 3.8
-    // that t of 22 degrees of freedom asks for at 0.001 about 9 times in 10.
+    // The standard error of the difference is sqrt(1.25 / 16) = 0.28. At 5 of these, a normal variable is beyond
+    // the 3.8 that t of 22 degrees of freedom asks for at 0.001 about 9 times in 10.
     EXPECT_GT(shareRejected(5.0 * 0.28, 0.001), 0.8);
     EXPECT_GT(shareRejected(8.0 * 0.28, 0.001), 0.995);
     EXPECT_LT(shareRejected(1.0 * 0.28, 0.001), 0.05);
