@@ -42,11 +42,14 @@ ImageHandle Accumulator::add(FrameGraph& graph, const SceneHandles& scene, Image
     const bool isFirst = frameCount == 0;
     RunningSum running{importPhysical(graph, name_ + " sum", sum_),
                        importPhysical(graph, name_ + " rounding error", roundingError_)};
-    if (keepsVariance()) {
+    const auto recordVariance = [&] {
         const ImageHandle deviations = importPhysical(graph, name_ + " squared deviations", squaredDeviations_);
         graph.keep(addVariance(graph, scene, radiance, running.sum, deviations, isFirst, width_, height_));
-    }
+    };
+    if (keepsVariance() && !isFirst) recordVariance();
     running = addAccumulate(graph, scene, radiance, running, isFirst, width_, height_);
+    // The first frame has no sum to deviate from: it merely has to be there.
+    if (keepsVariance() && isFirst) recordVariance();
     graph.keep(running.sum);
     graph.keep(running.roundingError);
     return running.sum;
