@@ -1,8 +1,12 @@
 // Sums over many frames lose nothing, and their variance is what the frames' scatter says.
+#include "engine/core/report.h"
 #include "tests/gpu/gpu_test.h"
 #include "tests/gpu/test_scenes.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 namespace manylight::test {
 namespace {
@@ -79,6 +83,24 @@ TEST_F(AccumulatorTest, TheErrorFallsWithTheSquareRootOfFrames) {
     const double before = renderer.relativeStandardError();
     for (int frame = 16; frame < 256; ++frame) renderer.renderFrame();
     EXPECT_NEAR(renderer.relativeStandardError() / before, 0.25, 0.03);
+}
+
+TEST_F(AccumulatorTest, ACaptureEndsWhereItsErrorIsTheTarget) {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "manylight_target_error_test";
+    std::filesystem::create_directories(folder);
+    const std::string report = (folder / "report.json").string();
+    const std::string command =
+        std::string("'") + MANYLIGHT_BINARY_DIR + "/bin/manylight-capture' '" + MANYLIGHT_SOURCE_DIR +
+        "/scenes/cornell_box.json' -o '" + (folder / "picture.exr").string() +
+        "' --size 24x18 --technique path-tracer --target-error 0.4 --report '" + report + "' > /dev/null 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+    const Json json = Json::parse(std::ifstream(report));
+    std::filesystem::remove_all(folder);
+    EXPECT_EQ(json.at("ended_by"), "error");
+    EXPECT_GT(json.at("frames").get<int>(), 8);
+    // It looks again after an eighth more frames at the latest.
+    EXPECT_LE(json.at("relative_standard_error").get<double>(), 0.4);
+    EXPECT_GT(json.at("relative_standard_error").get<double>(), 0.3);
 }
 
 TEST_F(AccumulatorTest, NothingRandomHasNoVariance) {
