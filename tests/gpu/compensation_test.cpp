@@ -42,8 +42,8 @@ TEST_F(Compensation, GivesBackEverythingWhereTheBoundLeavesNothing) {
         RenderSettings settings = compensatedSettings(bound, 4, 3);
         settings.lighting = Lighting::Global;
         const PictureSamples truth = truthOf(scene, settings, 32);
-        const PictureSamples compensated = samplePictures(scene, settings, {.frames = 48});
-        expectSameMeans(compensated, truth, 0.008);
+        const PictureSamples compensated = samplePictures(scene, settings, {.frames = 24});
+        expectSameMeans(compensated, truth, 0.012);
         EXPECT_TRUE(toldApart(scaled(compensated, 1.05), truth));
     }
 }
