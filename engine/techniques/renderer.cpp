@@ -129,6 +129,8 @@ void Renderer::resolve(const RenderSettings& settings) {
         settings_.width = size.x;
         settings_.height = size.y;
     }
+    if (keepsCutOff_ && settings.technique != Technique::Deferred)
+        failUsage("what the bound cuts off is known to --technique deferred only");
     const uint32_t limit = device_.limits().maxImageDimension2D;
     if (settings_.width > limit || settings_.height > limit)
         fail("--size {}x{}: device {} allows at most {}x{}", settings_.width, settings_.height, device_.info().name,
