@@ -42,12 +42,12 @@ class Failed(Exception):
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--programs", type=pathlib.Path, required=True, help="folder of the manylight programs")
-    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("crosscheck"), help="folder for pictures")
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("out/crosscheck"), help="folder for pictures")
     parser.add_argument("--size", default="160x120", help="WxH")
     parser.add_argument("--seeds", type=int, default=16, help="of every renderer")
     parser.add_argument("--spp", type=int, default=16, help="of Manylight's path tracer")
     parser.add_argument("--mitsuba-spp", type=int, default=32)
-    parser.add_argument("--frames", type=int, default=16, help="of the compensated technique")
+    parser.add_argument("--frames", type=int, default=32, help="of the compensated technique")
     parser.add_argument("--vpls", type=int, default=32, help="of the compensated technique")
     parser.add_argument("--paths", type=int, default=256, help="light paths of its frames: many of them cost little")
     parser.add_argument("--technique", dest="techniques", action="append", choices=TECHNIQUES,
