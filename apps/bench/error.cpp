@@ -85,6 +85,8 @@ BenchCommand addErrorCommand(CLI::App& app) {
         ->check(numberFrom(0.0, 1.0))
         ->capture_default_str();
     parser->add_option("--reference", options->referenceFile, "an EXR of the same size instead")->type_name("FILE");
+    parser->add_flag("--leave-out-lamps", options->leaveOutLamps,
+                     "leave pixels that see an emitter out of all numbers: their edges outweigh all else");
     parser->add_flag("!--no-flip", options->flip, "leave out FLIP, which takes longest to compute");
     parser->add_option("--device", options->device, "index or part of the name of a Vulkan device")->type_name("NAME");
     addTableOptions(*parser, options->files);
