@@ -26,10 +26,7 @@ void checkOutputs(const ErrorOptions& options) {
         std::filesystem::create_directories(options.pictureFolder, failure);
         requireWritable(std::filesystem::path(options.pictureFolder) / "reference.exr");
     }
-    if (options.plot.empty()) return;
-    if (!options.plot.ends_with(".png") && !options.plot.ends_with(".svg"))
-        failUsage("--plot {}: expected a file name that ends in .png or .svg", options.plot);
-    requireWritable(options.plot);
+    checkPlotFile(options.plot);
 }
 
 void error(const ErrorOptions& options) {
