@@ -31,6 +31,7 @@ void fps(const FpsOptions& options) {
     const Json json = fpsJson(options, run, summary);
     writeTables(options.files, fpsTable(options, run, summary), fpsCsv(summary), json);
     if (!options.plot.empty()) drawPlot("plot_fps.py", json, options.plot);
+    if (run.isInterrupted) fail("interrupted: the results are of what was measured before");
 }
 
 /// A comma-separated list, so that a scene may follow it.

@@ -1,6 +1,8 @@
 #include "apps/bench/fps_measure.h"
 
 #include "apps/bench/calibration.h"
+#include "apps/common/interrupt.h"
+#include "engine/core/error.h"
 #include "engine/core/progress.h"
 #include "engine/core/statistics.h"
 #include "engine/scene/import.h"
@@ -109,12 +111,14 @@ void measureCell(Renderer& renderer, const RenderSettings& settings, const FpsOp
     const double milliseconds = 1000.0 * options.secondsPerCell / options.roundCount;
     const uint32_t frames = (options.framesPerCell + options.roundCount - 1) / options.roundCount;
     double spent = 0.0;
-    for (uint32_t i = 0; i < frames || spent < milliseconds; ++i) spent += measureFrame(renderer, &samples);
+    for (uint32_t i = 0; (i < frames || spent < milliseconds) && !isInterrupted(); ++i)
+        spent += measureFrame(renderer, &samples);
 }
 
 }  // namespace
 
 FpsRun measureFps(const FpsOptions& options) {
+    const InterruptGuard guard;
     const auto start = Clock::now();
     const Scene scene = importScene(options.scene);
     const double importSeconds = secondsSince(start);
@@ -136,13 +140,17 @@ FpsRun measureFps(const FpsOptions& options) {
     run.oneOff = {importSeconds, renderer.startupTimes().bvhBuild, renderer.startupTimes().upload,
                   firstFrameSeconds(renderer, settings, run.cells)};
     Progress progress("measuring", options.roundCount * run.cells.size());
-    for (uint32_t round = 0; round < options.roundCount; ++round) {
+    for (uint32_t round = 0; round < options.roundCount && !isInterrupted(); ++round) {
         run.calibration.push_back(calibrationMilliseconds());
         for (FpsSamples& samples : run.cells) {
+            if (isInterrupted()) break;
             measureCell(renderer, settings, options, samples);
             progress.advance();
         }
     }
+    run.isInterrupted = isInterrupted();
+    std::erase_if(run.cells, [](const FpsSamples& samples) { return samples.wall.empty(); });
+    if (run.cells.empty() && run.isInterrupted) fail("interrupted before anything was measured");
     run.calibration.push_back(calibrationMilliseconds());
     run.settings.pathCount = settings.pathCount;
     run.warnings = renderer.warnings();

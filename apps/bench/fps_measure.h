@@ -47,6 +47,7 @@ struct FpsRun {
     std::vector<uint32_t> shadowedVplCounts;
     std::vector<FpsSamples> cells;    // by shadows, then VPL count, then technique
     std::vector<double> calibration;  // milliseconds: before every round, and after the last
+    bool isInterrupted = false;  // some combinations have fewer frames than asked for, or are missing
     Warnings warnings;
 };
 
