@@ -1,20 +1,11 @@
 #!/usr/bin/env python3
 """Draws the JSON of `manylight-bench error`: RMSE, FLIP and bias over run time on logarithmic axes."""
 
-import argparse
-import json
-import sys
+import plotting
+from plotting import plt
 
-try:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-except ImportError as error:
-    sys.exit(f"plot_error.py: matplotlib is missing ({error}): install python3-matplotlib")
-
-# Okabe and Ito's colours, told apart by everyone.
-COLOURS = ["#d55e00", "#e69f00", "#0072b2", "#000000", "#009e73", "#cc79a7", "#56b4e9", "#999999"]
+COLOURS = [plotting.VERMILION, plotting.ORANGE, plotting.BLUE, plotting.BLACK, plotting.GREEN, plotting.PURPLE,
+           plotting.SKY, "#999999"]
 MARKERS = ["o", "s", "D", "^", "v", "P", "X", "*"]
 
 
@@ -75,11 +66,7 @@ def style(axes, title):
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel("seconds")
-    axes.grid(True, which="major", color="#dddddd", linewidth=0.7)
-    axes.grid(True, which="minor", color="#eeeeee", linewidth=0.4)
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    plotting.open_frame(axes)
     if axes.get_legend_handles_labels()[0]:
         axes.legend(fontsize=7.5, frameon=False, loc="best")
 
@@ -100,18 +87,5 @@ def draw(data):
     return figure
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("json", help="what `manylight-bench error --json` wrote; - for standard input")
-    parser.add_argument("picture", help=".png or .svg to write")
-    arguments = parser.parse_args()
-    try:
-        with sys.stdin if arguments.json == "-" else open(arguments.json, encoding="utf-8") as source:
-            data = json.load(source)
-        draw(data).savefig(arguments.picture, dpi=130)
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"plot_error.py: {arguments.json}: {error!r}")
-
-
 if __name__ == "__main__":
-    main()
+    plotting.main(__doc__, draw)

@@ -1,26 +1,16 @@
 #!/usr/bin/env python3
 """Draws the JSON of `manylight-bench fps`: frames per second, milliseconds and ratios over VPL counts."""
 
-import argparse
-import json
-import sys
+import plotting
+from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
+from plotting import GREY, plt
 
-try:
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
-except ImportError as error:
-    sys.exit(f"plot_fps.py: matplotlib is missing ({error}): install python3-matplotlib")
-
-TECHNIQUES = {  # name in the JSON: label, colour (Okabe and Ito's, told apart by everyone), marker
-    "forward": ("forward", "#d55e00", "o"),
-    "forward-prepass": ("forward, depth pre-pass", "#e69f00", "s"),
-    "deferred": ("deferred", "#0072b2", "D"),
+TECHNIQUES = {  # name in the JSON: label, colour, marker
+    "forward": ("forward", plotting.VERMILION, "o"),
+    "forward-prepass": ("forward, depth pre-pass", plotting.ORANGE, "s"),
+    "deferred": ("deferred", plotting.BLUE, "D"),
 }
 SEED_STYLE = {"linestyle": (0, (4, 3)), "linewidth": 1.0, "alpha": 0.75}
-GREY = "#555555"
 
 
 def cells_of(data, technique, shadows):
@@ -50,11 +40,7 @@ def style(axes, vpls, title):
     axes.xaxis.set_major_formatter(FuncFormatter(plain))
     axes.yaxis.set_major_formatter(FuncFormatter(plain))
     axes.set_xlabel("virtual point lights")
-    axes.grid(True, which="major", color="#dddddd", linewidth=0.7)
-    axes.grid(True, which="minor", axis="y", color="#eeeeee", linewidth=0.4)
-    axes.set_axisbelow(True)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    plotting.open_frame(axes, minor="y")
 
 
 def draw_fps(axes, data, shadows, vpls):
@@ -149,18 +135,5 @@ def draw(data):
     return figure
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("json", help="what `manylight-bench fps --json` wrote; - for standard input")
-    parser.add_argument("picture", help=".png or .svg to write")
-    arguments = parser.parse_args()
-    try:
-        with sys.stdin if arguments.json == "-" else open(arguments.json, encoding="utf-8") as source:
-            data = json.load(source)
-        draw(data).savefig(arguments.picture, dpi=130)
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"plot_fps.py: {arguments.json}: {error!r}")
-
-
 if __name__ == "__main__":
-    main()
+    plotting.main(__doc__, draw)

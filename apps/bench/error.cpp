@@ -26,10 +26,7 @@ void checkOutputs(const ErrorOptions& options) {
         std::filesystem::create_directories(options.pictureFolder, failure);
         requireWritable(std::filesystem::path(options.pictureFolder) / "reference.exr");
     }
-    if (options.plot.empty()) return;
-    if (!options.plot.ends_with(".png") && !options.plot.ends_with(".svg"))
-        failUsage("--plot {}: expected a file name that ends in .png or .svg", options.plot);
-    requireWritable(options.plot);
+    checkPlotFile(options.plot);
 }
 
 void error(const ErrorOptions& options) {
@@ -85,6 +82,8 @@ BenchCommand addErrorCommand(CLI::App& app) {
         ->check(numberFrom(0.0, 1.0))
         ->capture_default_str();
     parser->add_option("--reference", options->referenceFile, "an EXR of the same size instead")->type_name("FILE");
+    parser->add_flag("--leave-out-lamps", options->leaveOutLamps,
+                     "leave pixels that see an emitter out of all numbers: their edges outweigh all else");
     parser->add_flag("!--no-flip", options->flip, "leave out FLIP, which takes longest to compute");
     parser->add_option("--device", options->device, "index or part of the name of a Vulkan device")->type_name("NAME");
     addTableOptions(*parser, options->files);

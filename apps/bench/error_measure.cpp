@@ -3,7 +3,9 @@
 #include "apps/common/interrupt.h"
 #include "engine/core/progress.h"
 #include "engine/scene/import.h"
+#include "engine/techniques/gbuffer_capture.h"
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 
@@ -79,6 +81,24 @@ void measureCutOff(Renderer& renderer, ModeRun& run, uint32_t seedCount) {
     renderer.keepCutOff(false);
 }
 
+/// Without pixels whose centre sees an emitter, and those next to them.
+Mask maskOfLamps(Renderer& renderer, const Scene& scene) {
+    const GBufferImage gbuffer = captureGBuffer(renderer, scene);
+    const auto width = static_cast<int>(renderer.settings().width);
+    const auto height = static_cast<int>(renderer.settings().height);
+    Mask mask{renderer.settings().width, renderer.settings().height, {}};
+    mask.uses.assign(gbuffer.texels.size(), 1);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const GBufferTexel& texel = gbuffer.texels[static_cast<size_t>(y * width + x)];
+            if (!texel.isSurface || scene.materials[texel.material].emittedRadiance == glm::vec3(0.0f)) continue;
+            for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+                for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
+                    mask.uses[static_cast<size_t>(v * width + u)] = 0;
+        }
+    return mask;
+}
+
 bool hasVanishingBound(const RenderSettings& settings) {
     return settings.technique == Technique::Deferred && settings.clamp == ClampMode::Bound;
 }
@@ -117,6 +137,7 @@ ErrorRun measureError(const ErrorOptions& options) {
     run.bvhSeconds = renderer.startupTimes().bvhBuild;
     run.uploadSeconds = renderer.startupTimes().upload;
     run.reference = makeReference(renderer, scene, run.settings, options);
+    if (options.leaveOutLamps) run.mask = maskOfLamps(renderer, scene);
     if (!isInterrupted()) runModes(renderer, run, options);
     run.isInterrupted = isInterrupted();
     run.warnings = scene.warnings;

@@ -3,6 +3,7 @@
 
 #include "apps/bench/error_mode.h"
 #include "apps/bench/error_reference.h"
+#include "engine/metrics/image_region.h"
 
 namespace manylight {
 
@@ -32,6 +33,7 @@ struct ErrorRun {
     double bvhSeconds = 0.0;
     double uploadSeconds = 0.0;
     Reference reference;
+    std::optional<Mask> mask;  // what is compared, if not every pixel
     std::vector<ModeRun> modes;
     bool isInterrupted = false;  // seeds that were not complete are left out
     Warnings warnings;

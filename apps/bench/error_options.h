@@ -17,6 +17,7 @@ struct ErrorOptions {
     double referenceError = 5e-4;     // good enough: its RMSE over its mean
     std::string referenceFile;        // somebody else's reference instead
     bool flip = true;
+    bool leaveOutLamps = false;  // pixels that see an emitter, or are next to one that does
     std::string device;
     TypedSettings settings;
 

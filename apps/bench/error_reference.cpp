@@ -159,7 +159,10 @@ Reference makeReference(Renderer& renderer, const Scene& scene, const RenderSett
         save(file, scene, halves);
     }
     if (halves.samples == 0) fail("interrupted before there was a reference");
-    return {halves.mean(), halves.rmse(), 2 * halves.samples, secondsSince(start), file.value_or("")};
+    const uint64_t samples = 2 * halves.samples;
+    Image image = halves.mean();
+    return {std::move(image), std::array{std::move(halves.first), std::move(halves.second)}, samples,
+            secondsSince(start), file.value_or("")};
 }
 
 }  // namespace manylight

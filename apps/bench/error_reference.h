@@ -5,13 +5,15 @@
 #include "engine/image/image.h"
 #include "engine/techniques/renderer.h"
 
+#include <array>
 #include <optional>
 
 namespace manylight {
 
 struct Reference {
     Image image;
-    std::optional<double> rmse;    // its own, where it is known: half the RMSE between its two halves
+    /// The two halves that it is the mean of, if it was made here: half of the RMSE between them is its own.
+    std::optional<std::array<Image, 2>> halves;
     uint64_t samplesPerPixel = 0;  // 0: not known
     double seconds = 0.0;          // spent on it now
     std::filesystem::path file;    // where it is kept, or came from

@@ -29,11 +29,13 @@ struct PictureError {
 /// The reference, prepared.
 struct Truth {
     const Reference& reference;
+    const Mask* mask;                      // null: every pixel
     std::optional<HdrFlipReference> flip;  // if FLIP is asked for
+    double error = 0.0;                    // RMSE of the reference, 0 if it is not known
 };
 
 PictureError measurePicture(const Image& image, const Truth& truth) {
-    PictureError error{compareImages(image, truth.reference.image), std::nullopt};
+    PictureError error{compareImages(image, truth.reference.image, truth.mask), std::nullopt};
     if (truth.flip)
         if (const auto flip = truth.flip->compare(image)) error.flip = flip->mean;
     return error;
@@ -65,22 +67,23 @@ ErrorRow makeRow(const Checkpoint& checkpoint, const Truth& truth) {
     row.rmseWithoutWorst = estimate(withoutWorst);
     if (relativeMse.size() == rmse.size()) row.relativeMse = estimate(relativeMse);
     if (flip.size() == rmse.size()) row.flip = estimate(flip);
-    const ErrorSplit split = splitError(checkpoint.images, truth.reference.image);
+    const ErrorSplit split = splitError(checkpoint.images, truth.reference.image, truth.mask);
     row.biasSquared = split.biasSquared;
     row.variance = split.variance;
-    row.isMeasurable = row.rmse.mean > kMeasurable * truth.reference.rmse.value_or(0.0);
+    row.isMeasurable = row.rmse.mean > kMeasurable * truth.error;
     return row;
 }
 
 /// One fit a seed, so that their scatter is the slope's error.
-std::optional<Estimate> slopeOf(const ModeRun& run, const std::vector<ErrorRow>& rows, const Image& reference,
+std::optional<Estimate> slopeOf(const ModeRun& run, const std::vector<ErrorRow>& rows, const Truth& truth,
                                 double ErrorReport::*error) {
     std::vector<double> slopes;
     for (size_t seed = 0; seed < run.checkpoints.front().images.size(); ++seed) {
         std::vector<double> times, errors;
         for (size_t i = 0; i < rows.size(); ++i) {
             if (!rows[i].isMeasurable) continue;
-            const double value = compareImages(run.checkpoints[i].images[seed], reference).*error;
+            const double value =
+                compareImages(run.checkpoints[i].images[seed], truth.reference.image, truth.mask).*error;
             if (!(value > 0.0)) continue;
             times.push_back(std::log(rows[i].seconds));
             errors.push_back(std::log(value));
@@ -102,8 +105,8 @@ ModeSummary summariseMode(const ModeRun& run, const Truth& truth, Progress& prog
         summary.rows.push_back(makeRow(checkpoint, truth));
         progress.advance();
     }
-    summary.slope = slopeOf(run, summary.rows, reference, &ErrorReport::rmse);
-    summary.slopeWithoutWorst = slopeOf(run, summary.rows, reference, &ErrorReport::rmseWithoutWorst);
+    summary.slope = slopeOf(run, summary.rows, truth, &ErrorReport::rmse);
+    summary.slopeWithoutWorst = slopeOf(run, summary.rows, truth, &ErrorReport::rmseWithoutWorst);
     std::vector<double> missing;
     for (const Image& image : run.checkpoints.back().images) missing.push_back(meanOf(reference) - meanOf(image));
     summary.missing = estimate(missing);
@@ -167,10 +170,13 @@ Estimate estimate(const std::vector<double>& samples) {
 ErrorSummary summarise(const ErrorRun& run, const ErrorOptions& options) {
     size_t checkpoints = 0;
     for (const ModeRun& mode : run.modes) checkpoints += mode.checkpoints.size();
-    Truth truth{run.reference, std::nullopt};
-    if (options.flip) truth.flip.emplace(run.reference.image);
+    Truth truth{run.reference, run.mask ? &*run.mask : nullptr, std::nullopt, 0.0};
+    if (options.flip) truth.flip.emplace(run.reference.image, FlipOptions{.mask = truth.mask});
+    if (const auto& halves = run.reference.halves)
+        truth.error = 0.5 * compareImages((*halves)[0], (*halves)[1], truth.mask).rmse;
     Progress progress("comparing", checkpoints);
     ErrorSummary summary;
+    summary.referenceError = truth.error;
     for (const ModeRun& mode : run.modes) summary.modes.push_back(summariseMode(mode, truth, progress));
     for (const double seconds : commonPlaces(summary.modes, true))
         summary.equalTime.push_back(compareAt(summary.modes, seconds, true));

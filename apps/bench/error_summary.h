@@ -44,6 +44,7 @@ struct Comparison {
 };
 
 struct ErrorSummary {
+    double referenceError = 0.0;  // its own RMSE over the compared pixels; 0 if it is not known
     std::vector<ModeSummary> modes;
     std::vector<Comparison> equalTime;
     std::vector<Comparison> equalError;

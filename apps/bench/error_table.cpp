@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace manylight {
@@ -12,7 +13,7 @@ std::string withError(const Estimate& value) {
                        value.mean != 0.0 ? 100.0 * value.error / std::abs(value.mean) : 0.0);
 }
 
-std::string header(const ErrorOptions& options, const ErrorRun& run) {
+std::string header(const ErrorOptions& options, const ErrorRun& run, double referenceError) {
     const RenderSettings& settings = run.settings;
     std::string text =
         fmt::format("Error against run time: {}, {} triangles, {}x{} pixels, {} bounces at most\n", run.sceneName,
@@ -22,13 +23,16 @@ std::string header(const ErrorOptions& options, const ErrorRun& run) {
     text += fmt::format("  measured   {} seeds a mode, {} s each; +- is the standard error over seeds\n",
                         run.modes.front().checkpoints.front().images.size(), options.secondsPerRun);
     const Reference& reference = run.reference;
-    if (reference.rmse)
+    if (reference.halves)
         text += fmt::format(
             "  reference  path traced, {} samples a pixel, own RMSE {:.2e}; rows below 3 times that (*) say "
             "more of it than of the mode\n",
-            reference.samplesPerPixel, *reference.rmse);
+            reference.samplesPerPixel, referenceError);
     else
         text += fmt::format("  reference  {}, own error not known\n", reference.file.string());
+    if (run.mask)
+        text += fmt::format("  left out   {} pixels that see a lamp, or are next to one that does\n",
+                            std::count(run.mask->uses.begin(), run.mask->uses.end(), 0));
     text += fmt::format("  one-off    import {:.3f} s, BVH {:.3f} s, upload {:.3f} s\n", run.importSeconds,
                         run.bvhSeconds, run.uploadSeconds);
     if (run.isInterrupted) text += "  interrupted: what was done before that\n";
@@ -80,7 +84,7 @@ std::string comparisonTable(const ErrorSummary& summary, const std::vector<Compa
 }  // namespace
 
 std::string errorTable(const ErrorOptions& options, const ErrorRun& run, const ErrorSummary& summary) {
-    std::string text = header(options, run);
+    std::string text = header(options, run, summary.referenceError);
     for (const ModeSummary& mode : summary.modes) text += modeTable(mode);
     text +=
         comparisonTable(summary, summary.equalTime, "RMSE at equal time (and over that of the last mode)", "seconds");

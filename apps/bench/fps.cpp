@@ -3,7 +3,6 @@
 #include "apps/bench/fps_outputs.h"
 #include "apps/bench/fps_table.h"
 #include "apps/bench/plot.h"
-#include "engine/core/file.h"
 
 #include <memory>
 
@@ -20,10 +19,7 @@ constexpr const char* kExamples =
 /// Throws Error before anything is measured.
 void checkOutputs(const FpsOptions& options) {
     checkTableFiles(options.files);
-    if (options.plot.empty()) return;
-    if (!options.plot.ends_with(".png") && !options.plot.ends_with(".svg"))
-        failUsage("--plot {}: expected a file name that ends in .png or .svg", options.plot);
-    requireWritable(options.plot);
+    checkPlotFile(options.plot);
 }
 
 void fps(const FpsOptions& options) {

@@ -66,6 +66,13 @@ class TemporaryFile {
 
 }  // namespace
 
+void checkPlotFile(const std::string& picture) {
+    if (picture.empty()) return;
+    if (!picture.ends_with(".png") && !picture.ends_with(".svg"))
+        failUsage("--plot {}: expected a file name that ends in .png or .svg", picture);
+    requireWritable(picture);
+}
+
 bool drawPlot(const std::string& script, const Json& data, const fs::path& picture) {
     try {
         writeAtomically(picture, [&](const fs::path& temporary) {

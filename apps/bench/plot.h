@@ -8,6 +8,9 @@
 
 namespace manylight {
 
+/// Throws Error if `picture` is no name of a plot, or could not be written. Empty is no plot.
+void checkPlotFile(const std::string& picture);
+
 /// Gives `data` to `script` (of the project's scripts/) and has it write `picture`, atomically. The interpreter is
 /// $MANYLIGHT_PYTHON, else /usr/bin/python3, else python3 of the PATH. Without it, or without matplotlib, prints one
 /// line on standard error and returns false: the numbers matter more than their picture.

@@ -23,8 +23,9 @@ LightsOfFrame addLightsOfFrame(FrameGraph& graph, SceneHandles& scene, const Fra
     const EmitterTable& table = inputs.gpuScene.emitterTable;
     const bool local = settings.lighting != Lighting::Global;
     const bool samplesAreas = local && inputs.plan.areaLights && table.areaLightCount > 0;
-    const bool global = settings.lighting != Lighting::Local && inputs.plan.lightPaths && settings.vplCount > 0 &&
-                        settings.bounceCount.value_or(0) > 0;
+    // Lights of no power are not in the table: from an empty one nothing can be chosen.
+    const bool global = settings.lighting != Lighting::Local && inputs.plan.lightPaths && !table.emitters.empty() &&
+                        settings.vplCount > 0 && settings.bounceCount.value_or(0) > 0;
 
     LightsOfFrame result;
     result.lightCount = (local ? table.deltaLightCount : 0) + (samplesAreas ? settings.lightSampleCount : 0);

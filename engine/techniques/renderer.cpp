@@ -28,6 +28,8 @@ namespace {
 constexpr float kVanishingBound = 10.0f;
 constexpr float kCompensatedBound = 50.0f;
 
+constexpr uint32_t kMostPaths = 1u << 21;  // that are taken without being asked for
+
 constexpr float kNearPlane = 1e-5f;  // of scenes whose diagonal is in [1, 2)
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -130,6 +132,8 @@ void Renderer::resolve(const RenderSettings& settings) {
         settings_.width = size.x;
         settings_.height = size.y;
     }
+    if (keepsCutOff_ && settings.technique != Technique::Deferred)
+        failUsage("what the bound cuts off is known to --technique deferred only");
     const uint32_t limit = device_.limits().maxImageDimension2D;
     if (settings_.width > limit || settings_.height > limit)
         fail("--size {}x{}: device {} allows at most {}x{}", settings_.width, settings_.height, device_.info().name,
@@ -143,7 +147,6 @@ void Renderer::resolve(const RenderSettings& settings) {
         failUsage("--technique path-tracer: expected --shadows on");
     if (!settings.clampBound)
         settings_.clampBound = settings.clamp == ClampMode::Compensate ? kCompensatedBound : kVanishingBound;
-    if (settings.pathCount == 0) settings_.pathCount = settings.vplCount;
     const int depth = settings.bounceCount               ? *settings.bounceCount
                       : scene_.maxDepth.value_or(-1) < 0 ? -1
                                                          : std::max(0, *scene_.maxDepth - 2);
@@ -151,6 +154,10 @@ void Renderer::resolve(const RenderSettings& settings) {
     settings_.bounceCount = depth < 0 ? static_cast<int>(unlimitedBounces(gpuScene_.meanAlbedo)) : depth;
     const uint64_t mostPaths =
         uint64_t{settings_.vplCount} * pathsPerBatch(static_cast<uint32_t>(*settings_.bounceCount));
+    // Paths cost little beside what their VPLs cost to shade, and a sample from more of them scatters less.
+    if (settings.pathCount == 0)
+        settings_.pathCount = static_cast<uint32_t>(
+            std::min({std::max(uint64_t{4} * settings.vplCount, uint64_t{256}), mostPaths, uint64_t{kMostPaths}}));
     if (settings_.vplCount > 0 && settings_.pathCount > mostPaths)
         failUsage("--paths {}: expected at most {} for {} VPLs and {} bounces", settings_.pathCount, mostPaths,
                   settings_.vplCount, *settings_.bounceCount);

@@ -100,7 +100,7 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.lighting = parseName(kLightings, o, v); }},
         {{"vpls", "N", "virtual point lights shaded in every frame"},
          [](S& s, T o, T v) { s.vplCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); }},
-        {{"paths", "N", "light paths per frame (0: as many as VPLs)"},
+        {{"paths", "N", "light paths per frame (0: four for each VPL, and 256 at least)"},
          [](S& s, T o, T v) { s.pathCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); }},
         {{"bounces", "N", "surfaces a light path may meet (-1: unlimited)"},
          [](S& s, T o, T v) { s.bounceCount = parseInteger<int>(o, v, -1, kMaxBounces); }},

@@ -41,7 +41,7 @@ struct RenderSettings {
     uint32_t width = 0;  // pixels; 0: as the scene's camera says, else 512 x 384
     uint32_t height = 0;
     uint32_t vplCount = 800;         // VPLs shaded in every frame; 0: none
-    uint32_t pathCount = 0;          // light paths per frame; 0: as many as VPLs
+    uint32_t pathCount = 0;          // light paths per frame; 0: four for each VPL, and 256 at least
     std::optional<int> bounceCount;  // surfaces a light path may meet; empty: the scene's max_depth; -1: unlimited
     bool russianRoulette = true;
     bool castShadows = true;

@@ -27,14 +27,14 @@ vec3 pointOnTriangle(Emitter emitter, vec2 u) {
 }
 
 vec3 normalOfTriangle(Emitter emitter) {
-    const float scale = 1.0 / max(length(emitter.edge1), 1e-30);
-    return normalize(cross(emitter.edge1 * scale, emitter.edge2 / max(length(emitter.edge2), 1e-30)));
+    const float scale = 1.0f / max(length(emitter.edge1), 1e-30f);
+    return normalize(cross(emitter.edge1 * scale, emitter.edge2 / max(length(emitter.edge2), 1e-30f)));
 }
 
 // A start on the disk that faces `direction` and covers the whole scene.
 vec3 pointOnSceneDisk(vec3 direction, vec2 u) {
     const vec2 disk = squareToDisk(u) * frame.sceneRadius;
-    return frame.sceneCenter - 2.0 * frame.sceneRadius * direction + toWorld(vec3(disk, 0.0), direction);
+    return frame.sceneCenter - 2.0f * frame.sceneRadius * direction + toWorld(vec3(disk, 0.0f), direction);
 }
 
 #endif

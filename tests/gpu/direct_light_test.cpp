@@ -21,8 +21,15 @@ GBufferImage gbufferOf(const Scene& scene, const RenderSettings& settings) {
 /// Every pixel shows the floor, and its radiance is albedo / pi times `irradiance` of its point, in red.
 void expectIrradiance(const Scene& scene, const std::function<double(glm::dvec3)>& irradiance,
                       double tolerance = 1e-5) {
-    for (const bool shadows : {false, true}) {
+    struct Way {
+        Technique technique;
+        bool shadows;
+    };
+    for (const auto& [technique, shadows] :
+         {Way{Technique::Deferred, false}, Way{Technique::Deferred, true}, Way{Technique::PathTracer, true}}) {
+        SCOPED_TRACE(name(technique));
         RenderSettings settings = plainSettings();
+        settings.technique = technique;
         settings.castShadows = shadows;
         const Image image = render(scene, settings);
         const GBufferImage gbuffer = gbufferOf(scene, settings);
@@ -107,12 +114,16 @@ TEST_F(DirectLight, SkyOverAPlane) {
     RenderSettings settings = plainSettings(8, 8);
     settings.castShadows = true;
     settings.lightSampleCount = 256;
-    std::vector<double> means;
-    forEachSeed(scene, settings, 16, [&](Renderer& renderer) { means.push_back(meanOf(renderer.radiance())); });
-    expectMean(means, double{kAlbedo} * 2.0, 0.01);  // irradiance pi L
+    for (const Technique technique : {Technique::Deferred, Technique::PathTracer}) {
+        settings.technique = technique;
+        std::vector<double> means;
+        const auto use = [&](Renderer& renderer) { means.push_back(meanOf(renderer.radiance())); };
+        forEachSeed(scene, settings, 16, use, technique == Technique::PathTracer ? 4 : 1);
+        expectMean(means, double{kAlbedo} * 2.0, 0.01);  // irradiance pi L
+    }
 }
 
-TEST_F(DirectLight, RectangleOverAPlane) {
+void expectRectangleOverAPlane(Technique technique, uint32_t frames) {
     Scene scene = floorFromAbove(kAlbedo);
     addQuad(scene, {-0.3f, 0.3f, -0.1f}, {0.4f, 0, 0}, {0, 0, 0.3f},
             addMaterial(scene, glm::vec3(0.0f), glm::vec3(1.0f)));
@@ -122,12 +133,14 @@ TEST_F(DirectLight, RectangleOverAPlane) {
     RenderSettings settings = plainSettings(12, 8);
     settings.castShadows = true;
     settings.lightSampleCount = 64;
+    settings.technique = technique;
     const GBufferImage gbuffer = gbufferOf(scene, settings);
     std::vector<std::vector<double>> pixels(gbuffer.texels.size());
-    forEachSeed(scene, settings, 16, [&](Renderer& renderer) {
+    const auto use = [&](Renderer& renderer) {
         const Image image = renderer.radiance();
         for (size_t i = 0; i < pixels.size(); ++i) pixels[i].push_back(double{image.texels[3 * i]});
-    });
+    };
+    forEachSeed(scene, settings, 16, use, frames);
     size_t tested = 0;
     for (size_t i = 0; i < pixels.size(); i += 7) {
         if (!gbuffer.texels[i].isSurface || gbuffer.texels[i].position.y != 0.0f) continue;
@@ -137,6 +150,10 @@ TEST_F(DirectLight, RectangleOverAPlane) {
     }
     EXPECT_GE(tested, 8u);
 }
+
+TEST_F(DirectLight, RectangleOverAPlane) { expectRectangleOverAPlane(Technique::Deferred, 1); }
+
+TEST_F(DirectLight, RectangleOverAPlaneByPaths) { expectRectangleOverAPlane(Technique::PathTracer, 32); }
 
 TEST_F(DirectLight, FormFactorOfParallelUnitSquares) {
     // Squares of side 0.5 at distance 0.5: F = 0.199825 (Howell C-11); irradiance averaged over one is F pi L.

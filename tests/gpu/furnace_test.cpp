@@ -3,6 +3,8 @@
 #include "tests/gpu/gpu_test.h"
 #include "tests/gpu/test_scenes.h"
 
+#include <cmath>
+
 namespace manylight::test {
 namespace {
 
@@ -18,10 +20,11 @@ RenderSettings furnaceSettings() {
     return settings;
 }
 
-std::vector<double> furnaceMeans(float albedo, const RenderSettings& settings) {
+std::vector<double> furnaceMeans(float albedo, const RenderSettings& settings, uint32_t frames = 1) {
     std::vector<double> means;
-    forEachSeed(closedBox(glm::vec3(albedo), glm::vec3(1.0f)), settings, 16,
-                [&](Renderer& renderer) { means.push_back(meanOf(renderer.radiance())); });
+    forEachSeed(
+        closedBox(glm::vec3(albedo), glm::vec3(1.0f)), settings, 16,
+        [&](Renderer& renderer) { means.push_back(meanOf(renderer.radiance())); }, frames);
     return means;
 }
 
@@ -30,6 +33,31 @@ using WhiteFurnace = GpuTest;
 TEST_F(WhiteFurnace, HalfReflected) { expectMean(furnaceMeans(0.5f, furnaceSettings()), 2.0, 0.01); }
 
 TEST_F(WhiteFurnace, MostlyReflected) { expectMean(furnaceMeans(0.8f, furnaceSettings()), 5.0, 0.05); }
+
+/// Long paths, and a sample of their very many vertices.
+void expectLongPaths(float albedo, ClampMode clamp, double relativeError) {
+    RenderSettings settings = furnaceSettings();
+    settings.width = settings.height = 8;
+    settings.lightSampleCount = 64;
+    settings.clamp = clamp;
+    const Scene scene = closedBox(glm::vec3(albedo), glm::vec3(1.0f));
+    const Renderer renderer(device(), scene, settings);
+    const int bounces = renderer.settings().bounceCount.value_or(0);
+    const double a = double{albedo};
+    // Emission, direct light and `bounces` bounces: what unlimited paths would add is left out.
+    const double expected = (1.0 - std::pow(a, bounces + 2)) / (1.0 - a);
+    expectMean(furnaceMeans(albedo, settings, 2), expected, relativeError * expected);
+}
+
+TEST_F(WhiteFurnace, NineTenthsReflected) { expectLongPaths(0.9f, ClampMode::Off, 0.015); }
+
+TEST_F(WhiteFurnace, NinetyNineHundredthsReflected) { expectLongPaths(0.99f, ClampMode::Off, 0.02); }
+
+TEST_F(WhiteFurnace, NinetyNineHundredthsReflectedAndCompensated) {
+    expectLongPaths(0.99f, ClampMode::Compensate, 0.03);
+}
+
+TEST_F(WhiteFurnace, AllButAThousandthReflected) { expectLongPaths(0.999f, ClampMode::Off, 0.02); }
 
 TEST_F(WhiteFurnace, DirectLightAlone) {
     RenderSettings settings = furnaceSettings();

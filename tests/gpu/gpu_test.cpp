@@ -71,13 +71,13 @@ bool sameBits(const std::vector<shared::LightData>& a, const std::vector<shared:
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(shared::LightData)) == 0;
 }
 
-void forEachSeed(const Scene& scene, RenderSettings settings, uint32_t seeds,
-                 const std::function<void(Renderer&)>& use) {
+void forEachSeed(const Scene& scene, RenderSettings settings, uint32_t seeds, const std::function<void(Renderer&)>& use,
+                 uint32_t frames) {
     Renderer renderer(device(), scene, settings);
     renderer.keepVpls();
     for (settings.seed = 0; settings.seed < seeds; ++settings.seed) {
         renderer.restart(settings);
-        renderer.renderFrame();
+        for (uint32_t frame = 0; frame < frames; ++frame) renderer.renderFrame();
         use(renderer);
     }
 }

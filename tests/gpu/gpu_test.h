@@ -44,9 +44,9 @@ double largestOf(const Image& image);
 bool sameBits(const Image& a, const Image& b);
 bool sameBits(const std::vector<shared::LightData>& a, const std::vector<shared::LightData>& b);
 
-/// Renders `seeds` pictures with seeds 0, 1, ... and calls `use` with each: one renderer, one scene.
-void forEachSeed(const Scene& scene, RenderSettings settings, uint32_t seeds,
-                 const std::function<void(Renderer&)>& use);
+/// Renders `seeds` pictures of `frames` frames with seeds 0, 1, ... and calls `use` with each: one renderer, one scene.
+void forEachSeed(const Scene& scene, RenderSettings settings, uint32_t seeds, const std::function<void(Renderer&)>& use,
+                 uint32_t frames = 1);
 
 /// Fails if the mean of independent samples is further than 5 standard errors from `expected`, which chance does once
 /// in 6,000 times with 16 samples; or if the standard error is above `largestError`: then the test would say nothing.

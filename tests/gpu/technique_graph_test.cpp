@@ -7,13 +7,14 @@ namespace manylight::test {
 namespace {
 
 /// 300 VPLs with shadows take two stretches.
-std::string graphOf(Technique technique) {
+std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int bounces = 4) {
     const Scene scene = cornellBox();
     RenderSettings settings = plainSettings(64, 48);
     settings.technique = technique;
     settings.castShadows = true;
     settings.vplCount = 300;
-    settings.bounceCount = 4;
+    settings.bounceCount = bounces;
+    settings.clamp = clamp;
     Renderer renderer(device(), scene, settings);
     return renderer.dumpGraph().text;
 }
@@ -24,6 +25,16 @@ TEST_F(TechniqueGraph, Deferred) { expectSnapshot("technique_deferred", graphOf(
 TEST_F(TechniqueGraph, Forward) { expectSnapshot("technique_forward", graphOf(Technique::Forward)); }
 TEST_F(TechniqueGraph, ForwardPrepass) {
     expectSnapshot("technique_forward_prepass", graphOf(Technique::ForwardPrepass));
+}
+TEST_F(TechniqueGraph, DeferredAndCompensated) {
+    expectSnapshot("technique_deferred_compensated", graphOf(Technique::Deferred, ClampMode::Compensate));
+}
+TEST_F(TechniqueGraph, ForwardAndCompensated) {
+    expectSnapshot("technique_forward_compensated", graphOf(Technique::Forward, ClampMode::Compensate));
+}
+TEST_F(TechniqueGraph, PathTracer) { expectSnapshot("technique_path_tracer", graphOf(Technique::PathTracer)); }
+TEST_F(TechniqueGraph, PathTracerOfLongPaths) {
+    expectSnapshot("technique_path_tracer_long", graphOf(Technique::PathTracer, ClampMode::Off, 100));
 }
 
 }  // namespace

@@ -205,6 +205,28 @@ Scene everyKindOfLight() {
     return finished(std::move(scene));
 }
 
+Scene sphereInBox() {
+    Scene scene = unevenBox();
+    scene.lights[0].emission *= 0.3f;
+    addSphere(scene, {-0.2f, -0.2f, -0.2f}, 0.2f, 2, false, false, addMaterial(scene, {0.7f, 0.5f, 0.3f}));
+    addQuad(scene, {-0.1f, 0.45f, -0.3f}, {0.3f, 0, 0}, {0, 0, 0.3f},
+            addMaterial(scene, glm::vec3(0.3f), {3.0f, 4.0f, 5.0f}));
+    scene.cameras.clear();
+    addCamera(scene, {0.35f, 0.1f, 0.4f}, {-0.25f, -0.25f, -0.3f}, 0.9f);
+    return finished(std::move(scene));
+}
+
+Scene twoRooms() {
+    Scene scene;
+    const uint32_t wall = addMaterial(scene, {0.8f, 0.75f, 0.7f});
+    addRoom(scene, {-0.5f, -0.3f, -0.3f}, {0.5f, 0.3f, 0.3f}, wall);
+    addQuad(scene, {0.0f, -0.3f, -0.3f}, {0, 0, 0.3f}, {0, 0.6f, 0}, wall);
+    addQuad(scene, {-0.35f, 0.29f, -0.15f}, {0.2f, 0, 0}, {0, 0, 0.2f},
+            addMaterial(scene, glm::vec3(0.0f), {10.0f, 9.0f, 7.0f}));
+    addCamera(scene, {0.45f, 0.05f, -0.2f}, {0.05f, -0.1f, 0.1f}, 1.0f);
+    return finished(std::move(scene));
+}
+
 Scene cornellBox() { return importScene(std::filesystem::path(MANYLIGHT_SOURCE_DIR) / "scenes" / "cornell_box.json"); }
 
 }  // namespace manylight::test

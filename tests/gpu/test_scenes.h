@@ -31,6 +31,10 @@ Scene unevenBox();
 Scene floorFromAbove(float albedo);
 /// A room with a smooth sphere, textured walls, and every kind of light.
 Scene everyKindOfLight();
+/// A closed room with an area light, a point light, and a sphere in it, off the walls: unbounded, G scatters less.
+Scene sphereInBox();
+/// Two rooms, the camera in one and the lamp in the other: all light comes by way of the door.
+Scene twoRooms();
 /// The scene of scenes/cornell_box.json.
 Scene cornellBox();
 

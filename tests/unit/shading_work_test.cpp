@@ -36,5 +36,19 @@ INSTANTIATE_TEST_SUITE_P(Counts, ShadingStretches,
                                          Case{255, 1, 256}, Case{256, 256, 256}, Case{257, 300, 256},
                                          Case{1000, 5000, 1024}, Case{0, 1u << 20, 8192}));
 
+TEST(RowsPerDispatch, StayBelowTheWorkThatADispatchMayDo) {
+    for (const uint32_t width : {1u, 17u, 512u, 4096u, 16384u})
+        for (const uint32_t work : {0u, 1u, 50u, 256u, 8192u})
+            for (const uint32_t most : {1u << 24, 1u << 30})
+                for (const uint32_t step : {8u, 64u}) {
+                    const uint32_t rows = rowsPerDispatch(width, work, most, step);
+                    ASSERT_GE(rows, step);
+                    ASSERT_EQ(rows % step, 0u);
+                    // One step of rows is the least that there is.
+                    ASSERT_TRUE(rows == step || uint64_t{rows} * width * work <= most) << width << " " << work;
+                }
+    EXPECT_EQ(rowsPerDispatch(4096, 256, 1u << 24, 8), 16u);
+}
+
 }  // namespace
 }  // namespace manylight
