@@ -2,6 +2,7 @@
 #include "apps/bench/error.h"
 #include "apps/bench/fps.h"
 #include "apps/bench/rays.h"
+#include "apps/bench/stability.h"
 #include "apps/common/command_line.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
         "  manylight-bench fps scene.obj --vpls 20,200 --shadows off --size 640x360 --plot fps.png\n"
         "  manylight-bench rays courtyard.json --csv rays.csv\n"
         "  manylight-bench error scenes/cornell_box.json --plot error.png\n"
+        "  manylight-bench stability --quick\n"
         "  manylight-bench fps --help\n"
         "Exit codes: 0 done, 1 something failed (file, device), 2 wrong usage.");
     bool listDevices = false;
@@ -26,6 +28,7 @@ int main(int argc, char** argv) {
         addFpsCommand(app),
         addRaysCommand(app),
         addErrorCommand(app),
+        addStabilityCommand(app),
     };
 
     return runProgram(app, argc, argv, [&] {

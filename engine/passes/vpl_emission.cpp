@@ -46,7 +46,7 @@ BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const SceneP
     const uint32_t batchCount = (options.pathCount - 1) / pathsPerBatch(options.bounceCount) + 1;
     // A batch without an entry in the list would lose its light.
     MANYLIGHT_CHECK(batchCount <= options.vplCount, "vpl_emission");
-    const uint32_t batch = (options.pathCount + batchCount - 1) / batchCount;
+    const uint32_t batch = (options.pathCount - 1) / batchCount + 1;
     PathBuffers paths;
     paths.rays = graph.createBuffer("rays", {batch * sizeof(shared::Ray)});
     paths.offsets = graph.createBuffer("path offsets", {(size_t{batch} + 1) * sizeof(uint32_t)});

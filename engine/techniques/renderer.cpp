@@ -14,6 +14,7 @@
 #include "shaders/shared/frame.h"
 #include "shaders/shared/sobol.h"
 #include "shaders/shared/vpl_emission.h"
+#include "shaders/shared/vpl_light.h"
 
 #include <chrono>
 #include <cmath>
@@ -137,6 +138,9 @@ void Renderer::resolve(const RenderSettings& settings) {
     if (settings_.width > limit || settings_.height > limit)
         fail("--size {}x{}: device {} allows at most {}x{}", settings_.width, settings_.height, device_.info().name,
              limit, limit);
+    const uint32_t mostVpls = device_.limits().maxTexelBufferElements / shared::kTexelsPerLight - shared::kVplPadding;
+    if (settings.vplCount > mostVpls)
+        fail("--vpls {}: device {} allows at most {} VPLs", settings.vplCount, device_.info().name, mostVpls);
     if (settings.clamp == ClampMode::Compensate && !settings.castShadows)
         failUsage("--clamp compensate: expected --shadows on; light that passes through walls cannot be compensated");
     if (settings.technique == Technique::PathTracer && !settings.castShadows)

@@ -44,12 +44,6 @@ vec3 vplIrradiance(Receiver y, float bound, uint room, uint seed, uint dimension
     return irradiance;
 }
 
-// y as the light paths would have seen it: normals on one side, see vpl_bounce.comp.
-Receiver receiverAt(Surface y) {
-    const vec3 normal = dot(y.normal, y.geometricNormal) < 0.0 ? -y.normal : y.normal;
-    return Receiver(y.position, normal, y.geometricNormal);
-}
-
 // Radiance that the receiver, seen by the camera, lacks.
 vec3 compensation(Receiver x, vec3 albedo, uint seed) {
     const float bound = frame.geometryBound;
@@ -62,11 +56,12 @@ vec3 compensation(Receiver x, vec3 albedo, uint seed) {
         const vec3 direction = normalize(toWorld(local, x.normal));
         const float cosine = max(dot(direction, x.normal), 0.0);
         const float reach = min(sqrt(cosine / max(bound, 1e-30)), kBeyondTheScene);
-        const Hit hit = closestHit(offsetRayOrigin(x.position, x.geometricNormal, direction),
-                                   throughput == vec3(0.0) ? vec3(0.0) : direction, reach);
+        const bool matters = throughput != vec3(0.0) && dot(x.geometricNormal, direction) > 0.0;
+        const Hit hit =
+            closestHit(offsetPoint(x.position, x.geometricNormal), matters ? direction : vec3(0.0), reach);
         if (hit.triangle == kNoHit) break;
         const Surface surface = surfaceAt(hit.triangle, hit.barycentrics, -direction);
-        const Receiver y = receiverAt(surface);
+        const Receiver y = Receiver(surface.position, surface.normal, surface.geometricNormal);
         const float g = geometryTerm(x.normal, y.geometricNormal, y.position - x.position);
         if (g <= bound) break;
         throughput *= 1.0 - bound / g;

@@ -11,7 +11,7 @@ layout(set = 0, binding = kBindingGBufferShading, rgba32ui) readonly uniform uim
 struct GBufferPixel {
     bool isSurface;
     uint triangle;
-    Receiver receiver;  // geometricNormal: the counter-clockwise side; zero normal where no surface is
+    Receiver receiver;  // zero normal where no surface is
     vec3 albedo;
 };
 
@@ -26,7 +26,11 @@ GBufferPixel readGBuffer(ivec2 pixel, bool withGeometricNormal) {
     result.receiver.position = uintBitsToFloat(position.xyz);
     result.receiver.normal = result.isSurface ? unitFromOctahedral(uintBitsToFloat(shading.xy)) : vec3(0.0);
     result.receiver.geometricNormal = result.receiver.normal;
-    if (withGeometricNormal) result.receiver.geometricNormal = counterClockwiseNormal(loadTriangle(result.triangle));
+    if (withGeometricNormal) {
+        const vec3 counterClockwise = counterClockwiseNormal(loadTriangle(result.triangle));
+        const bool isFront = dot(counterClockwise, result.receiver.normal) >= 0.0;
+        result.receiver.geometricNormal = isFront ? counterClockwise : -counterClockwise;
+    }
     result.albedo = unpackAlbedo(shading.zw);
     return result;
 }

@@ -25,7 +25,7 @@ TriangleRecord loadTriangle(uint triangle) {
 struct Surface {
     vec3 position;
     vec3 geometricNormal;  // unit, on the side that `viewer` is on
-    vec3 normal;           // unit shading normal
+    vec3 normal;           // unit shading normal, on the same side
     vec3 albedo;
     uint material;
     bool isFrontFacing;    // the viewer is on the counter-clockwise side
@@ -68,7 +68,8 @@ vec3 albedoAt(uint triangle, vec2 barycentrics, Material material) {
 }
 
 // `toViewer` points away from the surface, to where the ray came from; it need not be unit.
-// Normals are turned to the viewer's side, each by its own sign: a two-sided reflector.
+// Normals are turned to the viewer's side, a two-sided reflector: the geometric one, which cannot be wrong about sides,
+// and the shading normal with it.
 Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
     const TriangleRecord t = loadTriangle(triangle);
     const vec3 counterClockwise = counterClockwiseNormal(t);
@@ -77,7 +78,7 @@ Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
     surface.position = positionAt(t, barycentrics);
     surface.isFrontFacing = dot(counterClockwise, toViewer) > 0.0;
     surface.geometricNormal = surface.isFrontFacing ? counterClockwise : -counterClockwise;
-    surface.normal = dot(shading, toViewer) < 0.0 ? -shading : shading;
+    surface.normal = dot(shading, surface.geometricNormal) < 0.0 ? -shading : shading;
     surface.material = triangleMaterials[triangle];
     surface.albedo = albedoAt(triangle, barycentrics, materials[surface.material]);
     return surface;

@@ -4,7 +4,8 @@
 #include "shaders/lib/spot.glsl"
 #include "shaders/shared/lights.h"
 
-// What a receiver needs to know of itself. `geometricNormal` may point to either side: rays leave on their own.
+// What a receiver needs to know of itself. Both normals are on the viewer's side; light from the other side of the
+// geometric one does not arrive, whatever the shading normal says.
 struct Receiver {
     vec3 position;
     vec3 normal;

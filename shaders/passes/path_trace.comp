@@ -65,10 +65,11 @@ vec3 directLight(PathState path, Surface surface, uint seed, uint dimension) {
     const float cosSurface = max(dot(surface.normal, light.direction), 0.0);
     const float weight = light.density > 0.0 ? misWeight(light.density, cosSurface * kInvPi) : 1.0;
     const vec3 radiance = surface.albedo * kInvPi * cosSurface * weight * light.irradiance;
-    const bool matters = radiance.x + radiance.y + radiance.z > 0.0;
-    const vec3 start = offsetRayOrigin(surface.position, surface.geometricNormal, light.direction);
+    const bool isBehind = dot(surface.geometricNormal, light.direction) <= 0.0;
+    const bool matters = radiance.x + radiance.y + radiance.z > 0.0 && !isBehind;
+    const vec3 start = offsetPoint(surface.position, surface.geometricNormal);
     const bool blocked = occluded(start, matters ? light.end - start : vec3(0.0), 1.0);
-    return blocked || !matters ? vec3(0.0) : path.throughput * radiance;
+    return blocked || isBehind ? vec3(0.0) : path.throughput * radiance;
 }
 
 // The next direction by the cosine, so that albedo is all that is left of reflectance * cosine / density.
@@ -84,7 +85,9 @@ PathState scatter(PathState path, Surface surface, uint seed, uint dimension) {
     path.density = max(dot(path.direction, surface.normal), 0.0) * kInvPi;
     path.throughput *= surface.albedo / max(survival, 1e-6);
     path.scatterings += 1u;
-    path.isAlive = uSurvival < survival && largest > 0.0 && path.density > 0.0 ? 1u : 0u;
+    // Nothing is scattered to the other side of the surface, whatever the shading normal says.
+    const bool leaves = path.density > 0.0 && dot(surface.geometricNormal, path.direction) > 0.0;
+    path.isAlive = uSurvival < survival && largest > 0.0 && leaves ? 1u : 0u;
     return path;
 }
 

@@ -148,6 +148,17 @@ TEST_F(DegenerateSize, LargerThanTheDeviceAllowsIsAnError) {
     }
 }
 
+TEST_F(DegenerateSize, MoreVplsThanTheDeviceAllowsAreAnError) {
+    RenderSettings settings = plainSettings();
+    settings.vplCount = UINT32_MAX;
+    try {
+        render(litBox(), settings);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("--vpls 4294967295"), std::string::npos) << error.what();
+    }
+}
+
 TEST_F(DegenerateSize, ACameraThatIsNotThereIsAnError) {
     RenderSettings settings = plainSettings();
     settings.camera = 3;

@@ -91,6 +91,24 @@ TEST_F(Shadows, ALightInAClosedBoxStaysInIt) {
     EXPECT_GT(meanOf(render(scene, settings)), 0.1);
 }
 
+TEST_F(Shadows, SmoothNormalsLetNoLightThroughACoarseSphere) {
+    // The normals of a smooth sphere turn beyond the facets' own: seen from outside, some face the lamp inside.
+    Scene scene;
+    const uint32_t white = addMaterial(scene, glm::vec3(0.8f));
+    addSphere(scene, {-0.1f, 0.0f, 0.0f}, 0.2f, 1, false, true, white);
+    addRoom(scene, glm::vec3(-0.5f), glm::vec3(0.5f), white);
+    scene.lights.push_back(pointLight({-0.05f, 0.02f, 0.0f}, glm::vec3(1.0f)));
+    addCamera(scene, {0.45f, 0.2f, 0.4f}, {-0.1f, 0.0f, 0.0f}, 1.0f);
+    scene = finished(std::move(scene));
+    for (const ClampMode clamp : {ClampMode::Off, ClampMode::Compensate})
+        for (const Technique technique : {Technique::Deferred, Technique::Forward, Technique::PathTracer}) {
+            RenderSettings settings = shadowSettings(200);
+            settings.technique = technique;
+            settings.clamp = clamp;
+            EXPECT_EQ(largestOf(render(scene, settings, 2)), 0.0) << name(technique) << ", " << name(clamp);
+        }
+}
+
 TEST_F(Shadows, NoPixelOfAConvexRoomIsInShadow) {
     // Acne would show as pixels that lose light to the surface they are on.
     Scene scene = unevenBox();
