@@ -7,8 +7,9 @@
 
 namespace manylight {
 
-/// From inside the largest closed parts of the scene, a million rays to their edges and corners: none may escape. From
-/// the camera and random places, a million rays to all edges, beside Embree's robust mode: counted. Throws Error.
+/// From inside the largest closed parts of the scene, a million rays to their edges and corners, and as many to edges
+/// that two triangles share: none may escape. As many to all edges and corners beside Embree's robust mode: counted.
+/// Throws Error.
 Findings crackTest(StabilityLab& lab, const std::filesystem::path& scene);
 
 }  // namespace manylight

@@ -80,6 +80,32 @@ std::vector<Scene> closedParts(const Scene& scene, size_t most) {
     return parts;
 }
 
+std::vector<InnerEdge> innerEdges(const Scene& scene) {
+    struct Use {
+        InnerEdge edge;
+        uint32_t count = 0;
+    };
+    const std::vector<uint32_t> welded = weldedByPosition(scene);
+    std::unordered_map<uint64_t, Use> uses;
+    for (const Triangle& triangle : scene.triangles)
+        for (size_t corner = 0; corner < 3; ++corner) {
+            const uint32_t a = welded[triangle.vertex[corner]];
+            const uint32_t b = welded[triangle.vertex[(corner + 1) % 3]];
+            Use& use = uses[uint64_t{std::min(a, b)} << 32 | std::max(a, b)];
+            use.edge.ends[0] = a;
+            use.edge.ends[1] = b;
+            if (use.count < 2) use.edge.opposite[use.count] = triangle.vertex[(corner + 2) % 3];
+            ++use.count;
+        }
+    std::vector<InnerEdge> edges;
+    for (const auto& [key, use] : uses)
+        if (use.count == 2 && use.edge.ends[0] != use.edge.ends[1]) edges.push_back(use.edge);
+    std::sort(edges.begin(), edges.end(), [](const InnerEdge& a, const InnerEdge& b) {
+        return std::tie(a.ends[0], a.ends[1]) < std::tie(b.ends[0], b.ends[1]);
+    });
+    return edges;
+}
+
 double signedVolume(const Scene& closed) {
     double volume = 0.0;
     for (const Triangle& triangle : closed.triangles) {

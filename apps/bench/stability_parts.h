@@ -11,6 +11,13 @@ namespace manylight {
 /// the same bits; every edge must be there once in each direction.
 std::vector<Scene> closedParts(const Scene& scene, size_t most);
 
+/// An edge of exactly two triangles: its ends, and their third corners. Indices into Scene::vertices.
+struct InnerEdge {
+    uint32_t ends[2];
+    uint32_t opposite[2];
+};
+std::vector<InnerEdge> innerEdges(const Scene& scene);
+
 /// Positive where the counter-clockwise sides are outside.
 double signedVolume(const Scene& closed);
 

@@ -102,7 +102,7 @@ Findings cornersAt(StabilityLab& lab, const std::vector<double>& distances, uint
 Findings concaveCornerQuick(StabilityLab& lab) { return cornersAt(lab, {1e-2, 1e-4, 1e-6}, 12); }
 
 Findings concaveCorner(StabilityLab& lab) {
-    Findings findings = cornersAt(lab, {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}, 64);
+    Findings findings = cornersAt(lab, {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6}, 32);
     addShiningCorner(lab, findings, {1e-2, 1e-4, 1e-6});
     return findings;
 }

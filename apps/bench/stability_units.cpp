@@ -77,7 +77,7 @@ Findings farApart(StabilityLab& lab) {
     // distance by which rays leave surfaces, are no longer small beside a room: a documented limit.
     Findings findings;
     const RenderSettings settings = pictureSettings(Technique::Deferred);
-    const std::vector<double> alone = lab.means(normalise(furnishedRoom()), settings, 16, 8);
+    const std::vector<double> alone = lab.means(normalise(furnishedRoom()), settings, 16, 4);
     for (const double distance : {1e1, 1e2, 1e3, 1e4, 1e5, 1e7}) {
         RawScene raw = furnishedRoom();
         const RawScene other = movedBy(furnishedRoom(), {distance, 0, 0});
@@ -90,7 +90,7 @@ Findings farApart(StabilityLab& lab) {
         raw.lights.insert(raw.lights.end(), other.lights.begin(), other.lights.end());
         // Half of the paths are spent on the other room: the pictures agree in their means, not in their samples.
         Finding finding = meansAgree(fmt::format("{:.0e} sizes apart, alone", distance),
-                                     lab.means(normalise(std::move(raw)), settings, 16, 8), alone, 0.02);
+                                     lab.means(normalise(std::move(raw)), settings, 16, 4), alone, 0.02);
         if (distance > 1e3) finding.verdict = Verdict::Shown;
         findings.push_back(std::move(finding));
     }
