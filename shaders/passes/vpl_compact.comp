@@ -1,6 +1,7 @@
-// The VPL list of exactly `vplCount` entries: all vertices of the light paths if they fit, else a systematic sample of
-// them. With M vertices, entry i takes vertex floor((i M + r) / V), r uniform in [0, M): each vertex is taken with
-// probability V / M and weighs M / V, so the list's expectation is that of all vertices.
+// The VPL list of exactly `vplCount` entries: all vertices of the light paths if they fit, else a stratified sample of
+// them. With M vertices, entry i takes vertex floor((i M + r_i) / V), every r_i uniform in [0, M): each vertex is taken V / M
+// times on average and weighs M / V, so the list's expectation is that of all vertices. One r for all entries would take
+// vertices at equal distances, and from paths of equal length those of one depth alone.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
@@ -49,8 +50,8 @@ void main() {
     if (i < taken) {
         uint vertex = i;
         if (vertexCount > push.vplCount) {
-            const uint start = sampleInteger(hashCombine(hashCombine(frame.seed, frame.frame), push.firstPath), vertexCount);
-            vertex = dividedProduct(i, vertexCount, start, push.vplCount);
+            const uint key = hashCombine(hashCombine(hashCombine(frame.seed, frame.frame), push.firstPath), i);
+            vertex = dividedProduct(i, vertexCount, sampleInteger(key, vertexCount), push.vplCount);
         }
         const uint path = pathOfVertex(vertex);
         vpl = pathVertices[(vertex - pathOffsets[path]) * push.pathCount + path];
