@@ -50,13 +50,13 @@ Findings vplCounts(StabilityLab& lab) {
         settings.pathCount = 0;
         // A single VPL is a sample of all depths: its pictures scatter by a third of their mean.
         findings.push_back(
-            meanIs(fmt::format("{} VPLs", count), lab.means(renderer, settings, 16, count < 8 ? 64 : 2), 2.0, 0.03));
+            meanIs(fmt::format("{} VPLs", count), lab.means(renderer, settings, 16, count < 8 ? 16 : 2), 2.0, 0.03));
     }
     settings.vplCount = 100;
     for (const uint32_t paths : {1u, 33u, 5000u}) {
         settings.pathCount = paths;
         findings.push_back(meanIs(fmt::format("100 VPLs of {} paths", paths),
-                                  lab.means(renderer, settings, 16, paths == 1 ? 64 : 4), 2.0, 0.05));
+                                  lab.means(renderer, settings, 16, paths == 1 ? 16 : 4), 2.0, 0.05));
     }
     settings.vplCount = UINT32_MAX;
     settings.pathCount = 0;

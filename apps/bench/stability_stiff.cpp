@@ -114,7 +114,7 @@ Findings glancing(StabilityLab& lab) {
     addRoom(raw, {-0.5, -0.01, -0.3}, {0.5, 0.01, 0.3}, white);
     addQuad(raw, {-0.49, -0.01, -0.3}, {0, 0.02, 0}, {0, 0, 0.6}, addMaterial(raw, glm::dvec3(0.0), glm::dvec3(10.0)));
     addCamera(raw, {-0.2, 0.008, 0.1}, {0.0, 0.0, 0.0}, 0.6);
-    return agreement(lab, normalise(std::move(raw)), stabilitySettings(8, 8), 8, 32, 0.1);
+    return agreement(lab, normalise(std::move(raw)), stabilitySettings(8, 8), 24, 96, 0.1);
 }
 
 Findings keyhole(StabilityLab& lab) {
