@@ -44,7 +44,8 @@ void expectForwardToAgree(const Scene& scene, RenderSettings settings, const Pic
     for (const Technique technique : {Technique::Forward, Technique::ForwardPrepass}) {
         SCOPED_TRACE(name(technique));
         settings.technique = technique;
-        expectSameMeans(samplePictures(scene, settings, {}), truth, largestError);
+        // Without a bound a picture has rare bright spots: they ask for seeds, and for frames of each.
+        expectSameMeans(samplePictures(scene, settings, {.count = kSeeds, .frames = 4}), truth, largestError);
     }
 }
 
