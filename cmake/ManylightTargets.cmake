@@ -27,7 +27,7 @@ endfunction()
 
 function(manylight_program name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*.cpp)
   add_executable(manylight-${name} ${sources})
   manylight_compile_options(manylight-${name})
   target_link_libraries(manylight-${name} PRIVATE ${ARG_LINK})

@@ -1,7 +1,6 @@
 #include "apps/bench/error_summary.h"
 
 #include "engine/core/progress.h"
-#include "engine/core/statistics.h"
 #include "engine/metrics/error.h"
 #include "engine/metrics/error_split.h"
 #include "engine/metrics/flip.h"
@@ -158,14 +157,6 @@ std::vector<double> commonPlaces(const std::vector<ModeSummary>& modes, bool tim
 }
 
 }  // namespace
-
-Estimate estimate(const std::vector<double>& samples) {
-    const auto count = static_cast<double>(samples.size());
-    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
-    double squares = 0.0;
-    for (const double sample : samples) squares += (sample - mean) * (sample - mean);
-    return {mean, count > 1.0 ? std::sqrt(squares / (count * (count - 1.0))) : 0.0};
-}
 
 ErrorSummary summarise(const ErrorRun& run, const ErrorOptions& options) {
     size_t checkpoints = 0;

@@ -2,16 +2,11 @@
 #pragma once
 
 #include "apps/bench/error_measure.h"
+#include "engine/core/statistics.h"
 
 namespace manylight {
 
-/// Mean over seeds and the standard error of that mean.
-struct Estimate {
-    double mean = 0.0;
-    double error = 0.0;
-};
-Estimate estimate(const std::vector<double>& samples);
-
+/// Estimates are over seeds.
 struct ErrorRow {
     uint32_t frames = 0;
     double seconds = 0.0;  // median over seeds

@@ -2,7 +2,7 @@
 #include "apps/bench/error.h"
 #include "apps/bench/fps.h"
 #include "apps/bench/rays.h"
-#include "apps/bench/stability.h"
+#include "apps/bench/stability/command.h"
 #include "apps/common/command_line.h"
 
 #include <fmt/format.h>

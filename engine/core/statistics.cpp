@@ -38,6 +38,15 @@ Spread spreadOf(const std::vector<double>& values) {
     return {percentileOfSorted(sorted, 0.5), percentileOfSorted(sorted, 0.05), percentileOfSorted(sorted, 0.95)};
 }
 
+Estimate estimate(const std::vector<double>& samples) {
+    MANYLIGHT_CHECK(!samples.empty(), "a mean");
+    const auto count = static_cast<double>(samples.size());
+    const double center = mean(samples);
+    double squares = 0.0;
+    for (const double sample : samples) squares += (sample - center) * (sample - center);
+    return {center, count > 1.0 ? std::sqrt(squares / (count * (count - 1.0))) : 0.0};
+}
+
 std::optional<Line> fitLine(const std::vector<double>& xs, const std::vector<double>& ys) {
     MANYLIGHT_CHECK(xs.size() == ys.size(), "points of a line");
     if (xs.empty()) return std::nullopt;

@@ -20,6 +20,14 @@ struct Spread {
 };
 Spread spreadOf(const std::vector<double>& values);
 
+/// Mean of independent samples, and the standard error of that mean: 0 for a single one.
+struct Estimate {
+    double mean = 0.0;
+    double error = 0.0;
+};
+/// `samples` must not be empty. Sums in order.
+Estimate estimate(const std::vector<double>& samples);
+
 /// y = intercept + slope * x.
 struct Line {
     double intercept = 0.0;

@@ -1,5 +1,6 @@
 // What the bound on the geometry term takes is known, and what compensation gives back is that.
 #include "tests/gpu/test_scenes.h"
+#include "engine/core/statistics.h"
 #include "tests/gpu/z_test.h"
 #include "tests/support/significance.h"
 
@@ -80,7 +81,7 @@ TEST_F(Compensation, APictureLacksWhatTheBoundTook) {
     const Scene scene = sphereInBox();
     RenderSettings settings = merelyBounded(compensatedSettings(1.0f, 300, 4));
     settings.lighting = Lighting::Global;
-    const Mean truth = meanOf(truthOf(scene, settings, 48).mean);
+    const Estimate truth = estimate(truthOf(scene, settings, 48).mean);
     std::vector<double> bounded;
     std::vector<double> cutOff;
     Renderer renderer(device(), scene, settings);
@@ -91,10 +92,10 @@ TEST_F(Compensation, APictureLacksWhatTheBoundTook) {
         bounded.push_back(meanOf(renderer.radiance()));
         cutOff.push_back(meanOf(renderer.cutOff()));
     }
-    const double lacking = truth.value - meanOf(bounded).value;
-    const double error = std::hypot(truth.standardError, meanOf(bounded).standardError, meanOf(cutOff).standardError);
+    const double lacking = truth.mean - estimate(bounded).mean;
+    const double error = std::hypot(truth.error, estimate(bounded).error, estimate(cutOff).error);
     EXPECT_GT(lacking, 20.0 * error);
-    EXPECT_NEAR(lacking, meanOf(cutOff).value, 5.0 * error);
+    EXPECT_NEAR(lacking, estimate(cutOff).mean, 5.0 * error);
 }
 
 class ConcaveEdge : public GpuTest, public ::testing::WithParamInterface<float> {};

@@ -1,5 +1,7 @@
 #include "tests/gpu/gpu_test.h"
 
+#include "engine/core/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -83,15 +85,12 @@ void forEachSeed(const Scene& scene, RenderSettings settings, uint32_t seeds, co
 }
 
 void expectMean(const std::vector<double>& samples, double expected, double largestError) {
-    const auto count = static_cast<double>(samples.size());
-    const double mean = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
-    double squares = 0.0;
-    for (const double sample : samples) squares += (sample - mean) * (sample - mean);
+    const Estimate found = estimate(samples);
     // Rounding alone may leave an error where the samples hardly differ.
-    const double error = std::max(std::sqrt(squares / (count * (count - 1.0))), 2e-6 * std::abs(expected));
-    EXPECT_LT(error, largestError) << "the samples scatter too much to say anything; their mean is " << mean;
-    EXPECT_LT(std::abs(mean - expected), 5.0 * error)
-        << "mean " << mean << " +- " << error << ", expected " << expected;
+    const double error = std::max(found.error, 2e-6 * std::abs(expected));
+    EXPECT_LT(error, largestError) << "the samples scatter too much to say anything; their mean is " << found.mean;
+    EXPECT_LT(std::abs(found.mean - expected), 5.0 * error)
+        << "mean " << found.mean << " +- " << error << ", expected " << expected;
 }
 
 }  // namespace manylight::test

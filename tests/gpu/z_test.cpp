@@ -1,6 +1,7 @@
 #include "tests/gpu/z_test.h"
 
 #include "engine/core/check.h"
+#include "engine/core/statistics.h"
 #include "tests/support/significance.h"
 
 #include <fmt/format.h>
@@ -57,20 +58,20 @@ bool toldApart(const PictureSamples& a, const PictureSamples& b) {
 }
 
 void expectSameMeans(const PictureSamples& a, const PictureSamples& b, double largestError) {
-    const Mean ofA = meanOf(a.mean);
-    const Mean ofB = meanOf(b.mean);
+    const Estimate ofA = estimate(a.mean);
+    const Estimate ofB = estimate(b.mean);
     const std::string means =
-        fmt::format("{} +- {} and {} +- {}", ofA.value, ofA.standardError, ofB.value, ofB.standardError);
-    EXPECT_LT(std::hypot(ofA.standardError, ofB.standardError), largestError * ofB.value)
+        fmt::format("{} +- {} and {} +- {}", ofA.mean, ofA.error, ofB.mean, ofB.error);
+    EXPECT_LT(std::hypot(ofA.error, ofB.error), largestError * ofB.mean)
         << "the samples scatter too much to say anything: " << means;
     const double significance = sidak(kSignificance, kBlocks + 1);
     EXPECT_GT(welchPValue(a.mean, b.mean), significance) << "the whole picture: " << means;
     for (size_t block = 0; block < kBlocks; ++block) {
-        const Mean inA = meanOf(a.blocks[block]);
-        const Mean inB = meanOf(b.blocks[block]);
+        const Estimate inA = estimate(a.blocks[block]);
+        const Estimate inB = estimate(b.blocks[block]);
         EXPECT_GT(welchPValue(a.blocks[block], b.blocks[block]), significance)
             << "channel " << block % 3 << " of block " << block / 3 % kColumns << ", " << block / 3 / kColumns << ": "
-            << inA.value << " +- " << inA.standardError << " and " << inB.value << " +- " << inB.standardError;
+            << inA.mean << " +- " << inA.error << " and " << inB.mean << " +- " << inB.error;
     }
 }
 

@@ -1,5 +1,7 @@
 #include "tests/support/significance.h"
 
+#include "engine/core/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -99,27 +101,17 @@ double chiSquareTest(const std::vector<double>& counts, const std::vector<double
     return bins > 1.0 ? chiSquarePValue(statistic, bins - 1.0) : 1.0;
 }
 
-Mean meanOf(const std::vector<double>& samples) {
-    const auto count = static_cast<double>(samples.size());
-    double sum = 0.0;
-    for (const double sample : samples) sum += sample;
-    const double mean = sum / count;
-    double squares = 0.0;
-    for (const double sample : samples) squares += (sample - mean) * (sample - mean);
-    return {mean, std::sqrt(squares / (count * (count - 1.0)))};
-}
-
 double welchPValue(const std::vector<double>& a, const std::vector<double>& b) {
-    const Mean meanA = meanOf(a);
-    const Mean meanB = meanOf(b);
-    const double squaredA = meanA.standardError * meanA.standardError;
-    const double squaredB = meanB.standardError * meanB.standardError;
+    const Estimate meanA = estimate(a);
+    const Estimate meanB = estimate(b);
+    const double squaredA = meanA.error * meanA.error;
+    const double squaredB = meanB.error * meanB.error;
     const double squared = squaredA + squaredB;
-    if (squared == 0.0) return meanA.value == meanB.value ? 1.0 : 0.0;
+    if (squared == 0.0) return meanA.mean == meanB.mean ? 1.0 : 0.0;
     const double degreesOfFreedom = squared * squared /
                                     (squaredA * squaredA / (static_cast<double>(a.size()) - 1.0) +
                                      squaredB * squaredB / (static_cast<double>(b.size()) - 1.0));
-    return studentPValue((meanA.value - meanB.value) / std::sqrt(squared), degreesOfFreedom);
+    return studentPValue((meanA.mean - meanB.mean) / std::sqrt(squared), degreesOfFreedom);
 }
 
 double sidak(double alpha, size_t count) {

@@ -20,12 +20,6 @@ double studentPValue(double t, double degreesOfFreedom);
 /// expect fewer than 5 are pooled.
 double chiSquareTest(const std::vector<double>& counts, const std::vector<double>& expected);
 
-struct Mean {
-    double value = 0.0;
-    double standardError = 0.0;
-};
-Mean meanOf(const std::vector<double>& samples);
-
 /// Welch's test that two sets of samples, of any variances, have one mean. 1 where both are one constant.
 double welchPValue(const std::vector<double>& a, const std::vector<double>& b);
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace manylight {
 namespace {
 
@@ -10,6 +12,13 @@ TEST(Statistics, MedianOfOddAndEvenCounts) {
     EXPECT_EQ(median({7.0}), 7.0);
     EXPECT_EQ(median({9.0, 1.0, 5.0}), 5.0);
     EXPECT_EQ(median({4.0, 1.0, 2.0, 100.0}), 3.0);
+}
+
+TEST(Statistics, TheErrorOfAMeanIsThatOfItsSamplesByTheRootOfTheirCount) {
+    const Estimate found = estimate({2.0, 4.0, 4.0, 6.0});  // variance 8/3
+    EXPECT_DOUBLE_EQ(found.mean, 4.0);
+    EXPECT_DOUBLE_EQ(found.error, std::sqrt(8.0 / 3.0 / 4.0));
+    EXPECT_EQ(estimate({3.0}).error, 0.0);
 }
 
 TEST(Statistics, PercentilesAreLinearBetweenNeighbours) {

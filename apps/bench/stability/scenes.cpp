@@ -1,4 +1,4 @@
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/scenes.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "apps/bench/stability_lab.h"
+#include "apps/bench/stability/lab.h"
 
 #include "apps/common/interrupt.h"
 #include "engine/core/error.h"

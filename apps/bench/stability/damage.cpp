@@ -1,7 +1,7 @@
 // Files with what no file should have: repaired, counted, and not to be seen in the picture.
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_lab.h"
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/lab.h"
+#include "apps/bench/stability/scenes.h"
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/scene/obj.h"
@@ -26,7 +26,8 @@ Image picture(StabilityLab& lab, RawScene raw) {
 class TemporaryFolder {
   public:
     TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "manylight-stability-XXXXXX").string();
+        const std::string random(6, 'X');  // what mkdtemp replaces
+        std::string name = (std::filesystem::temp_directory_path() / ("manylight-stability-" + random)).string();
         if (!mkdtemp(name.data())) fail("{}: cannot create a folder", name);
         path_ = name;
     }

@@ -1,6 +1,6 @@
-#include "apps/bench/stability.h"
+#include "apps/bench/stability/command.h"
 
-#include "apps/bench/stability_run.h"
+#include "apps/bench/stability/run.h"
 #include "apps/bench/table_files.h"
 #include "engine/core/error.h"
 

@@ -1,7 +1,7 @@
-#include "apps/bench/stability_run.h"
+#include "apps/bench/stability/run.h"
 
-#include "apps/bench/stability_crack.h"
-#include "apps/bench/stability_lab.h"
+#include "apps/bench/stability/crack.h"
+#include "apps/bench/stability/lab.h"
 #include "apps/common/command_line.h"
 #include "apps/common/interrupt.h"
 #include "engine/core/error.h"

@@ -1,7 +1,7 @@
 // Things in the same place.
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_lab.h"
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/lab.h"
+#include "apps/bench/stability/scenes.h"
 
 #include <cmath>
 

@@ -1,8 +1,9 @@
 // Where little light, or light from very near, decides about the picture.
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_lab.h"
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/lab.h"
+#include "apps/bench/stability/scenes.h"
 
+#include "engine/core/statistics.h"
 #include <fmt/format.h>
 
 #include <cmath>
@@ -66,7 +67,7 @@ void addShiningCorner(StabilityLab& lab, Findings& findings, const std::vector<d
         findings.push_back(meanIs(fmt::format("shining walls at {:.0e}, path tracer", distances[i]),
                                   lab.means(renderer, withTechnique(settings, Technique::PathTracer), 16, 64), 2.0,
                                   0.02));
-        const SampleMean mean = sampleMean(lab.means(renderer, settings, 16, 2));
+        const Estimate mean = estimate(lab.means(renderer, settings, 16, 2));
         findings.push_back(shown(fmt::format("shining walls at {:.0e}, deferred", distances[i]), "2",
                                  fmt::format("{:.4f} +- {:.1e}", mean.mean, mean.error)));
     }
@@ -87,10 +88,10 @@ Findings cornersAt(StabilityLab& lab, const std::vector<double>& distances, uint
                                       lab.means(renderer, withClamp(settings, ClampMode::Compensate), 16, frames),
                                       reference, 0.05));  // unbounded, a quarter and more is missing at 1e-3
         for (const ClampMode clamp : {ClampMode::Off, ClampMode::Bound}) {
-            const SampleMean mean = sampleMean(lab.means(renderer, withClamp(settings, clamp), 16, 4));
+            const Estimate mean = estimate(lab.means(renderer, withClamp(settings, clamp), 16, 4));
             // Without a bound rare samples carry the light; the bound leaves it out: neither can be held to the value.
             findings.push_back(shown(fmt::format("clamp {} at {:.0e}", name(clamp), distances[i]),
-                                     fmt::format("{:.4g}", sampleMean(reference).mean),
+                                     fmt::format("{:.4g}", estimate(reference).mean),
                                      fmt::format("{:.4g} +- {:.1e}", mean.mean, mean.error)));
         }
     }

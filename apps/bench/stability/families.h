@@ -1,7 +1,7 @@
 // The cases' functions, by the file that they are in.
 #pragma once
 
-#include "apps/bench/stability_case.h"
+#include "apps/bench/stability/case.h"
 
 namespace manylight::stability {
 

@@ -1,7 +1,7 @@
-#include "apps/bench/stability_crack.h"
+#include "apps/bench/stability/crack.h"
 
-#include "apps/bench/stability_parts.h"
-#include "apps/bench/stability_ray_sets.h"
+#include "apps/bench/stability/parts.h"
+#include "apps/bench/stability/ray_sets.h"
 #include "engine/accel/embree_reference.h"
 #include "engine/scene/import.h"
 #include "engine/techniques/ray_caster.h"

@@ -1,4 +1,4 @@
-#include "apps/bench/stability_ray_sets.h"
+#include "apps/bench/stability/ray_sets.h"
 
 #include "engine/techniques/ray_caster.h"
 #include "shaders/shared/bvh_ray.h"
@@ -26,6 +26,25 @@ float bruteForce(const Scene& scene, const shared::RayQuery& query) {
         if (hit.isHit) nearest = std::min(nearest, hit.t);
     }
     return nearest;
+}
+
+/// What both traversals say about the rays of a set.
+struct Answers {
+    std::vector<uint32_t> occluded;
+    std::vector<shared::RayHit> hits;
+    bool anyHit(size_t i) const { return occluded[i] != 0; }
+    bool closestHit(size_t i) const { return hits[i].triangle != shared::kNoHit; }
+};
+
+Answers trace(StabilityLab& lab, const Scene& scene, const RaySet& rays) {
+    RayCaster caster(lab.device(), scene, buildBvh(scene));
+    caster.load(rays);
+    Answers answers;
+    caster.trace(RayKind::AnyHit);
+    answers.occluded = caster.occludedFlags();
+    caster.trace(RayKind::ClosestHit);
+    answers.hits = caster.hits();
+    return answers;
 }
 
 }  // namespace
@@ -61,30 +80,20 @@ RaySet signedZeroRays() {
 }
 
 uint64_t escapes(StabilityLab& lab, const Scene& scene, const RaySet& rays) {
-    RayCaster caster(lab.device(), scene, buildBvh(scene));
-    caster.load(rays);
-    caster.trace(RayKind::AnyHit);
-    const std::vector<uint32_t> occluded = caster.occludedFlags();
-    caster.trace(RayKind::ClosestHit);
-    const std::vector<shared::RayHit> hits = caster.hits();
+    const Answers answers = trace(lab, scene, rays);
     uint64_t count = 0;
-    for (size_t i = 0; i < rays.size(); ++i) count += occluded[i] == 0 || hits[i].triangle == shared::kNoHit ? 1 : 0;
+    for (size_t i = 0; i < rays.size(); ++i) count += answers.anyHit(i) && answers.closestHit(i) ? 0 : 1;
     return count;
 }
 
 uint64_t differencesToBruteForce(StabilityLab& lab, const Scene& scene, const RaySet& rays) {
-    RayCaster caster(lab.device(), scene, buildBvh(scene));
-    caster.load(rays);
-    caster.trace(RayKind::AnyHit);
-    const std::vector<uint32_t> occluded = caster.occludedFlags();
-    caster.trace(RayKind::ClosestHit);
-    const std::vector<shared::RayHit> hits = caster.hits();
+    const Answers answers = trace(lab, scene, rays);
     uint64_t count = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         const float expected = bruteForce(scene, rays[i]);
         const bool isHit = std::isfinite(expected);
-        const bool agrees = isHit == (occluded[i] != 0) && isHit == (hits[i].triangle != shared::kNoHit) &&
-                            (!isHit || std::abs(hits[i].t - expected) <= 1e-4f * expected + 1e-6f);
+        const bool agrees = isHit == answers.anyHit(i) && isHit == answers.closestHit(i) &&
+                            (!isHit || std::abs(answers.hits[i].t - expected) <= 1e-4f * expected + 1e-6f);
         count += agrees ? 0 : 1;
     }
     return count;

@@ -1,7 +1,7 @@
 // The crack test on a scene of the user's.
 #pragma once
 
-#include "apps/bench/stability_lab.h"
+#include "apps/bench/stability/lab.h"
 
 #include <filesystem>
 

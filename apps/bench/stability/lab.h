@@ -1,7 +1,7 @@
 // What the cases of the stability suite work with: one device, and short ways to render.
 #pragma once
 
-#include "apps/bench/stability_findings.h"
+#include "apps/bench/stability/findings.h"
 #include "engine/techniques/renderer.h"
 
 #include <functional>

@@ -1,9 +1,10 @@
 // Scenes whose light is known on paper.
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_lab.h"
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/lab.h"
+#include "apps/bench/stability/scenes.h"
 #include "shaders/shared/constants.h"
 
+#include "engine/core/statistics.h"
 #include <fmt/format.h>
 
 #include <cmath>
@@ -113,7 +114,7 @@ Findings integratingSphere(StabilityLab& lab) {
     settings.lighting = Lighting::Both;
     // One tilt^2 per meeting with the tessellation, of which the light that is seen has had two on average.
     findings.push_back(
-        closeTo("all light, deferred", sampleMean(lab.means(scene, settings)).mean, 1.0, 4.0 * tilt * tilt));
+        closeTo("all light, deferred", estimate(lab.means(scene, settings)).mean, 1.0, 4.0 * tilt * tilt));
     findings.push_back(meanIs("all light, path tracer",
                               lab.means(scene, withTechnique(settings, Technique::PathTracer), 16, 4), 1.0, 0.02));
     raw.lights.clear();

@@ -1,7 +1,7 @@
 // The white furnace: in a closed room whose walls all emit Le and reflect the share a, radiance is Le / (1 - a).
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_lab.h"
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/lab.h"
+#include "apps/bench/stability/scenes.h"
 
 #include <fmt/format.h>
 

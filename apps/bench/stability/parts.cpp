@@ -1,4 +1,4 @@
-#include "apps/bench/stability_parts.h"
+#include "apps/bench/stability/parts.h"
 
 #include <algorithm>
 #include <map>

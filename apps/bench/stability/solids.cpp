@@ -1,6 +1,6 @@
-#include "apps/bench/stability_solids.h"
+#include "apps/bench/stability/solids.h"
 
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/scenes.h"
 #include "engine/scene/generate/courtyard.h"
 
 #include <algorithm>

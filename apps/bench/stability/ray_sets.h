@@ -1,7 +1,7 @@
 // Rays that are hard to trace, and what they must meet.
 #pragma once
 
-#include "apps/bench/stability_lab.h"
+#include "apps/bench/stability/lab.h"
 #include "engine/accel/ray_sets.h"
 
 namespace manylight {

@@ -1,4 +1,4 @@
-#include "apps/bench/stability_run.h"
+#include "apps/bench/stability/run.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Where no light can arrive, none does: not little, but zero.
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_lab.h"
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/lab.h"
+#include "apps/bench/stability/scenes.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Lengths and light in units far from one.
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_lab.h"
-#include "apps/bench/stability_scenes.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/lab.h"
+#include "apps/bench/stability/scenes.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,6 @@
-#include "apps/bench/stability_findings.h"
+#include "apps/bench/stability/findings.h"
+
+#include "engine/core/statistics.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +24,12 @@ double sumOf(const Image& image) {
 
 bool sameSize(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && a.texels.size() == b.texels.size();
+}
+
+/// As `estimate`, with what rounding leaves open where samples hardly differ.
+Estimate roundedEstimate(const std::vector<double>& samples) {
+    const Estimate found = estimate(samples);
+    return {found.mean, std::max(found.error, kRoundingOfMean * std::abs(found.mean))};
 }
 
 size_t nonZeroOf(const Image& image) {
@@ -86,19 +94,8 @@ Finding shown(std::string what, std::string expected, std::string measured) {
     return {std::move(what), std::move(expected), std::move(measured), Verdict::Shown};
 }
 
-SampleMean sampleMean(const std::vector<double>& samples) {
-    const auto count = static_cast<double>(samples.size());
-    double sum = 0.0;
-    for (const double sample : samples) sum += sample;
-    const double mean = sum / count;
-    double squares = 0.0;
-    for (const double sample : samples) squares += (sample - mean) * (sample - mean);
-    const double error = std::sqrt(squares / (count * (count - 1.0)));
-    return {mean, std::max(error, kRoundingOfMean * std::abs(mean))};
-}
-
 Finding meanIs(std::string what, const std::vector<double>& samples, double expected, double largestError) {
-    const SampleMean sample = sampleMean(samples);
+    const Estimate sample = roundedEstimate(samples);
     const double deviation = (sample.mean - expected) / sample.error;
     return {std::move(what), fmt::format("{:.6g}", expected),
             fmt::format("{:.6g} +- {:.1e} ({:+.1f} s.e.)", sample.mean, sample.error, deviation),
@@ -107,8 +104,8 @@ Finding meanIs(std::string what, const std::vector<double>& samples, double expe
 
 Finding meansAgree(std::string what, const std::vector<double>& samples, const std::vector<double>& reference,
                    double largestError) {
-    const SampleMean a = sampleMean(samples);
-    const SampleMean b = sampleMean(reference);
+    const Estimate a = roundedEstimate(samples);
+    const Estimate b = roundedEstimate(reference);
     const double error = std::hypot(a.error, b.error);
     const double deviation = (a.mean - b.mean) / error;
     return {std::move(what), fmt::format("{:.6g} +- {:.1e}", b.mean, b.error),

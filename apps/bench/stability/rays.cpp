@@ -1,8 +1,8 @@
 // Rays that must not slip through, and rays along the axes.
-#include "apps/bench/stability_families.h"
-#include "apps/bench/stability_ray_sets.h"
-#include "apps/bench/stability_scenes.h"
-#include "apps/bench/stability_solids.h"
+#include "apps/bench/stability/families.h"
+#include "apps/bench/stability/ray_sets.h"
+#include "apps/bench/stability/scenes.h"
+#include "apps/bench/stability/solids.h"
 #include "shaders/shared/ray_offset.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Runs cases of the stability suite, one after the other.
 #pragma once
 
-#include "apps/bench/stability_case.h"
+#include "apps/bench/stability/case.h"
 #include "engine/core/report.h"
 
 #include <string>

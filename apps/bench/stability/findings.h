@@ -1,7 +1,7 @@
 // Comparisons that make a line of the stability table each. None of them takes "not finite" for equal or small.
 #pragma once
 
-#include "apps/bench/stability_case.h"
+#include "apps/bench/stability/case.h"
 #include "engine/image/image.h"
 
 #include <cstdint>
@@ -21,13 +21,6 @@ Finding closeTo(std::string what, double measured, double expected, double toler
 Finding countIs(std::string what, uint64_t measured, uint64_t expected);
 Finding holds(std::string what, std::string expected, std::string measured, bool condition);
 Finding shown(std::string what, std::string expected, std::string measured);
-
-/// Mean and standard error over independent samples, a seed each.
-struct SampleMean {
-    double mean = 0.0;
-    double error = 0.0;
-};
-SampleMean sampleMean(const std::vector<double>& samples);
 
 /// Within 5 standard errors of `expected`: of the some hundred comparisons of a run, chance lets one fail in a hundred
 /// runs, and as seeds are fixed it does so always or never. A relative standard error above `largestError` fails: such

@@ -1,4 +1,4 @@
-#include "apps/bench/stability_families.h"
+#include "apps/bench/stability/families.h"
 
 namespace manylight {
 
