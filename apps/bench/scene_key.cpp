@@ -29,16 +29,23 @@ class Key {
     }
     void addOne(float value) { addBytes(&value, sizeof(value)); }
     void addOne(const glm::vec3& v) { addBytes(&v, sizeof(v)); }
+    void addOne(const glm::vec4& v) { addBytes(&v, sizeof(v)); }
     void addOne(const glm::vec2& v) { addBytes(&v, sizeof(v)); }
 
     uint64_t key_ = 0;
 };
 
 void addSurfaces(Key& key, const Scene& scene) {
-    for (const Vertex& vertex : scene.vertices) key.add(vertex.position, vertex.normal, vertex.uv);
+    for (const Vertex& vertex : scene.vertices)
+        key.add(vertex.position, vertex.normal, vertex.uv, vertex.uv1, vertex.colour);
     for (const Triangle& triangle : scene.triangles) key.add(triangle.vertex, triangle.material);
-    for (const Material& material : scene.materials)
-        key.add(material.albedo, material.albedoTexture, material.emittedRadiance);
+    for (const Material& m : scene.materials) {
+        key.add(m.albedo, m.emittedRadiance, m.metallic, m.roughness, m.specular, m.normalScale, m.alphaMode, m.opacity,
+                m.alphaCutoff, m.unlit);
+        for (const TextureUse* use :
+             {&m.albedoTexture, &m.emissionTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.opacityTexture})
+            key.add(use->texture, use->uvSet, use->uvMatrix[0], use->uvMatrix[1], use->uvOffset);
+    }
     for (const Texture& texture : scene.textures) {
         key.add(texture.width, texture.height, texture.wrapU, texture.wrapV, texture.filter);
         key.addBytes(texture.rgba.data(), texture.rgba.size());

@@ -24,9 +24,9 @@ uint32_t textureMode(const Texture& texture) {
 std::vector<shared::Material> packMaterials(const Scene& scene, const ScenePlan& plan) {
     std::vector<shared::Material> packed;
     for (const Material& material : scene.materials) {
-        const bool textured = plan.textured && material.albedoTexture != kNoTexture;
+        const bool textured = plan.textured && material.albedoTexture.exists();
         packed.push_back({material.albedo,
-                          textured ? static_cast<uint32_t>(material.albedoTexture) : shared::kNoTexture,
+                          textured ? static_cast<uint32_t>(material.albedoTexture.texture) : shared::kNoTexture,
                           material.emittedRadiance, 0});
     }
     return packed;
@@ -87,9 +87,9 @@ double meanTexel(const Texture& texture) {
 void measureSurfaces(GpuScene& gpuScene, const Scene& scene) {
     std::vector<double> albedos;
     for (const Material& material : scene.materials) {
-        const bool isTextured = material.albedoTexture != kNoTexture;
+        const bool isTextured = material.albedoTexture.exists();
         albedos.push_back(double{std::max({material.albedo.x, material.albedo.y, material.albedo.z})} *
-                          (isTextured ? meanTexel(scene.textures[static_cast<size_t>(material.albedoTexture)]) : 1.0));
+                          (isTextured ? meanTexel(scene.textures[static_cast<size_t>(material.albedoTexture.texture)]) : 1.0));
     }
     double albedoArea = 0.0;
     for (const Triangle& triangle : scene.triangles) {

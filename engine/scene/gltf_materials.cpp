@@ -34,7 +34,7 @@ class MaterialReader {
         material.albedo = {pbr.baseColorFactor[0], pbr.baseColorFactor[1], pbr.baseColorFactor[2]};
         material.emittedRadiance = {source.emissiveFactor[0], source.emissiveFactor[1], source.emissiveFactor[2]};
         material.emittedRadiance *= emissiveStrength(source);
-        if (pbr.baseColorTexture.index >= 0) material.albedoTexture = readTexture(pbr.baseColorTexture.index);
+        if (pbr.baseColorTexture.index >= 0) material.surface.albedoTexture.texture = readTexture(pbr.baseColorTexture.index);
         if (pbr.metallicFactor > 0.0 || pbr.roughnessFactor < 1.0)
             scene_.warnings.add("glossy materials drawn diffuse", source.name);
         return material;

@@ -33,7 +33,7 @@ struct WeldKey {
 
     bool operator==(const WeldKey& other) const {
         return vertex.position == other.vertex.position && vertex.normal == other.vertex.normal &&
-               vertex.uv == other.vertex.uv;
+               vertex.uv == other.vertex.uv && vertex.uv1 == other.vertex.uv1 && vertex.colour == other.vertex.colour;
     }
     uint64_t hash() const {
         const auto word = [](float a, float b) {
@@ -43,6 +43,9 @@ struct WeldKey {
         h = mixHash(h, word(vertex.position.z, vertex.normal.x));
         h = mixHash(h, word(vertex.normal.y, vertex.normal.z));
         h = mixHash(h, word(vertex.uv.x, vertex.uv.y));
+        h = mixHash(h, word(vertex.uv1.x, vertex.uv1.y));
+        h = mixHash(h, word(vertex.colour.x, vertex.colour.y));
+        h = mixHash(h, word(vertex.colour.z, vertex.colour.w));
         return h ^ (h >> 32);
     }
 };
@@ -150,11 +153,18 @@ glm::vec3 repairedNormal(const RawVertex& vertex, Warnings& warnings) {
     return glm::vec3(vertex.normal / length);
 }
 
-glm::vec2 repairedUv(const RawVertex& vertex, Warnings& warnings) {
-    const glm::vec2 uv(vertex.uv);
+glm::vec2 repairedUv(const glm::dvec2& raw, Warnings& warnings) {
+    const glm::vec2 uv(raw);
     if (std::isfinite(uv.x) && std::isfinite(uv.y)) return uv + 0.0f;
     warnings.add("texture coordinates set to zero: not finite");
     return glm::vec2(0.0f);
+}
+
+glm::vec4 repairedColour(const glm::dvec4& raw, Warnings& warnings) {
+    const glm::dvec4 inRange = glm::clamp(raw, 0.0, 1.0);
+    if (inRange == raw) return glm::vec4(raw) + 0.0f;
+    warnings.add("vertex colours brought into [0, 1]");
+    return glm::vec4(std::isnan(raw.x + raw.y + raw.z + raw.w) ? glm::dvec4(1.0) : inRange) + 0.0f;
 }
 
 /// Converts the vertices that triangles use, welds equal ones and fills Scene::vertices and Scene::triangles.
@@ -172,7 +182,8 @@ void convertTriangles(const RawScene& raw, const Positions& positions, Scene& sc
                 const RawVertex& vertex = raw.vertices[source.vertex[corner]];
                 index =
                     vertices.indexOf({{positions[source.vertex[corner]], repairedNormal(vertex, scene.warnings) + 0.0f,
-                                       repairedUv(vertex, scene.warnings)}});
+                                       repairedUv(vertex.uv, scene.warnings), repairedUv(vertex.uv1, scene.warnings),
+                                       repairedColour(vertex.colour, scene.warnings)}});
             }
             triangle.vertex[corner] = index;
         }

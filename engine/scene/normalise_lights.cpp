@@ -57,10 +57,9 @@ glm::dvec3 anyPerpendicular(const glm::dvec3& unit) {
 void convertMaterials(const RawScene& raw, Scene& scene) {
     scene.materials.reserve(raw.materials.size());
     for (const RawMaterial& source : raw.materials) {
-        Material material;
+        Material material = source.surface;
         material.name = source.name;
         material.albedo = repairedAlbedo(source, scene.warnings);
-        material.albedoTexture = source.albedoTexture;
         material.emittedRadiance = repairedEmission(source.emittedRadiance, source.name, scene.warnings);
         scene.materials.push_back(std::move(material));
     }

@@ -131,7 +131,7 @@ RawMaterial convert(const Library& library, const tinyobj::material_t& source, T
     material.name = source.name;
     material.albedo = {source.diffuse[0], source.diffuse[1], source.diffuse[2]};
     material.emittedRadiance = {source.emission[0], source.emission[1], source.emission[2]};
-    material.albedoTexture = loadTexture(library.folder, source, textures, warnings);
+    material.surface.albedoTexture.texture = loadTexture(library.folder, source, textures, warnings);
     if (!source.emissive_texname.empty()) warnings.add("emissive textures ignored", source.name);
     if (source.dissolve < 1.0 || !source.alpha_texname.empty())
         warnings.add("transparent materials drawn opaque", source.name);

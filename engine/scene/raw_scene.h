@@ -18,6 +18,8 @@ struct RawVertex {
     glm::dvec3 position{0.0};
     glm::dvec3 normal{0.0};  // any length; meaningful if hasNormal
     glm::dvec2 uv{0.0};      // v grows with the image's rows
+    glm::dvec2 uv1{0.0};
+    glm::dvec4 colour{1.0};
     bool hasNormal = false;
 };
 
@@ -28,11 +30,13 @@ struct RawTriangle {
     uint32_t origin = 0;
 };
 
+/// As a file says it, in double precision and not yet checked; `surface` holds the rest. Its own albedo and
+/// emittedRadiance mean nothing.
 struct RawMaterial {
     std::string name;
     glm::dvec3 albedo{0.8};
-    int32_t albedoTexture = kNoTexture;
     glm::dvec3 emittedRadiance{0.0};
+    Material surface{};
 };
 
 /// The fields of Light in file units; `direction` may have any length.

@@ -24,7 +24,8 @@ struct SceneFrame {
 enum class TextureWrap : uint8_t { Repeat, ClampToEdge, MirroredRepeat };
 enum class TextureFilter : uint8_t { Linear, Nearest };
 
-/// 8-bit RGBA texels, row 0 at v = 0 (the importers flip OBJ images, whose v points up). Colour is sRGB encoded.
+/// 8-bit RGBA texels, row 0 at v = 0 (the importers flip OBJ images, whose v points up). Whether rgb is sRGB encoded is
+/// up to the use; alpha is linear.
 struct Texture {
     std::string name;
     uint32_t width = 0;
@@ -37,12 +38,39 @@ struct Texture {
 
 inline constexpr int32_t kNoTexture = -1;
 
-/// A two-sided Lambertian reflector that may also emit from its front (counter-clockwise) side.
+/// How a material looks a texture up: at uvMatrix * uv + uvOffset, uv being the vertices' set number `uvSet`.
+struct TextureUse {
+    int32_t texture = kNoTexture;  // index into Scene::textures
+    uint32_t uvSet = 0;            // 0 or 1
+    glm::mat2 uvMatrix{1.0f};
+    glm::vec2 uvOffset{0.0f};
+
+    bool exists() const { return texture != kNoTexture; }
+};
+
+enum class AlphaMode : uint8_t { Opaque, Mask, Blend };
+
+/// A two-sided reflector that may also emit from its front (counter-clockwise) side. Metallic-roughness as in glTF 2.0;
+/// as it is by default, a Lambertian.
 struct Material {
     std::string name;
-    glm::vec3 albedo{0.8f};              // linear, in [0, 1]; multiplied by the texture if there is one
-    int32_t albedoTexture = kNoTexture;  // index into Scene::textures
-    glm::vec3 emittedRadiance{0.0f};     // W / (sr m^2), front side only
+    glm::vec3 albedo{0.8f};      // linear, in [0, 1]: reflectance of the diffuse part, at normal incidence of a metal
+    TextureUse albedoTexture{};  // sRGB, multiplies it
+    glm::vec3 emittedRadiance{0.0f};  // W / (sr m^2), front side only
+    TextureUse emissionTexture{};     // sRGB, multiplies it
+
+    float metallic = 0.0f;                  // share of the surface that is metal
+    float roughness = 1.0f;                 // perceptual: GGX's alpha is its square
+    TextureUse metallicRoughnessTexture{};  // linear: green multiplies roughness, blue metallic
+    glm::vec3 specular{0.0f};               // reflectance at normal incidence of what is not metal; 0: Lambertian
+    TextureUse normalTexture{};             // linear: 2 rgb - 1 in the frame of the texture's u, v and the normal
+    float normalScale = 1.0f;               // multiplies its first two components
+
+    AlphaMode alphaMode = AlphaMode::Opaque;
+    float opacity = 1.0f;         // where not opaque: Mask hides what is below `alphaCutoff`, Blend shows that share
+    TextureUse opacityTexture{};  // its alpha channel multiplies `opacity`
+    float alphaCutoff = 0.5f;
+    bool unlit = false;  // shows its albedo as radiance to the camera, and is black and dark to everything else
 };
 
 /// Three corners of unified vertices plus a material: indices into Scene::vertices and Scene::materials.
@@ -56,6 +84,8 @@ struct Vertex {
     glm::vec3 position{0.0f};  // normalised frame
     glm::vec3 normal{0.0f};
     glm::vec2 uv{0.0f};  // v grows with the image's rows
+    glm::vec2 uv1{0.0f};
+    glm::vec4 colour{1.0f};  // linear, in [0, 1]; multiplies the material's albedo and opacity
 };
 
 enum class LightType : uint8_t { Point, Spot, Directional, Constant };

@@ -36,7 +36,7 @@ ScenePlan planScene(const Scene& scene, bool everything) {
                            [&](const Triangle& triangle) { return predicate(scene.materials[triangle.material]); });
     };
 
-    const bool textured = usesMaterial([](const Material& material) { return material.albedoTexture != kNoTexture; });
+    const bool textured = usesMaterial([](const Material& material) { return material.albedoTexture.exists(); });
     plan.textured = decide(plan, everything, textured, "textures",
                            textured ? "a triangle's material has a texture" : "no triangle's material has a texture",
                            scene.triangles.size() * 3 * sizeof(glm::vec2) + texelBytes(scene));

@@ -191,7 +191,7 @@ Scene everyKindOfLight() {
     scene.textures.push_back(checkerTexture());
     const uint32_t grey = addMaterial(scene, glm::vec3(0.6f));
     const uint32_t checker = addMaterial(scene, glm::vec3(0.9f));
-    scene.materials[checker].albedoTexture = 0;
+    scene.materials[checker].albedoTexture.texture = 0;
     const uint32_t lamp = addMaterial(scene, glm::vec3(0.0f), {4.0f, 3.0f, 2.0f});
     addQuad(scene, {-0.5f, -0.4f, -0.5f}, {0, 0, 1}, {1, 0, 0}, checker);
     addQuad(scene, {-0.5f, -0.4f, -0.5f}, {1, 0, 0}, {0, 0.8f, 0}, checker);

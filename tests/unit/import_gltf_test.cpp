@@ -180,7 +180,7 @@ TEST_F(GltfImport, MaterialsTexturesAndTransforms) {
     EXPECT_NEAR(cornerOf(scene, 0, 1).uv.x, 0.5f, 1e-6f);
     EXPECT_NEAR(cornerOf(scene, 0, 1).uv.y, -1.75f, 1e-6f);
     json_["images"][0]["uri"] = "$(missing).png";
-    EXPECT_EQ(importJson().materials[0].albedoTexture, kNoTexture);
+    EXPECT_EQ(importJson().materials[0].albedoTexture.texture, kNoTexture);
     EXPECT_EQ(importJson().warnings.count("textures left out: image not readable"), 1u);
 }
 

@@ -160,8 +160,8 @@ TEST_F(ObjImport, TexturesAreFoundBesideTheLibrary) {
     EXPECT_EQ(scene.textures[0].width, 2u);
     EXPECT_EQ(scene.textures[0].rgba[0], 255);
     EXPECT_EQ(scene.textures[0].rgba[5], 255);
-    EXPECT_EQ(scene.materials[0].albedoTexture, 0);
-    EXPECT_EQ(scene.materials[1].albedoTexture, kNoTexture);
+    EXPECT_EQ(scene.materials[0].albedoTexture.texture, 0);
+    EXPECT_EQ(scene.materials[1].albedoTexture.texture, kNoTexture);
     EXPECT_EQ(scene.materials[1].albedo, glm::vec3(0.5f));
     EXPECT_EQ(scene.warnings.count("textures left out: image not readable"), 1u);
     EXPECT_EQ(scene.warnings.count("material libraries missing"), 1u);
