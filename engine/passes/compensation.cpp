@@ -7,13 +7,12 @@
 namespace manylight {
 
 ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                            BufferHandle vpls, ImageHandle radiance, uint32_t width, uint32_t height) {
+                            const VplBuffers& vpls, ImageHandle radiance, uint32_t width, uint32_t height) {
     PassBuilder pass = graph.addPass("compensation");
     readSurfaces(pass, scene, PipelineKind::Compute);
-    pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
-        .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
-        .read(vpls, Access::ComputeTexelRead, shared::kBindingVplTexels)
-        .read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
+    readGBuffer(pass, gbuffer);
+    readVpls(pass, vpls, PipelineKind::Compute);
+    pass.read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
     radiance = pass.write(radiance, Access::ComputeStorageReadWrite, shared::kBindingRadiance);
     pass.execute([options = surfaceOptions(plan), width, height](PassContext& context) {

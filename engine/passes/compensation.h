@@ -3,11 +3,12 @@
 #pragma once
 
 #include "engine/passes/gbuffer.h"
+#include "engine/passes/vpl_buffers.h"
 
 namespace manylight {
 
 /// Adds to `radiance` and returns its new version. `vpls`: the list that the gather reads.
 ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                            BufferHandle vpls, ImageHandle radiance, uint32_t width, uint32_t height);
+                            const VplBuffers& vpls, ImageHandle radiance, uint32_t width, uint32_t height);
 
 }  // namespace manylight

@@ -16,9 +16,8 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         const bool adds = push.firstLight > 0;
         PassBuilder pass = graph.addPass("direct_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
-        pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
-            .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
-            .read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
+        readGBuffer(pass, gbuffer);
+        pass.read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         radiance = pass.write(radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                               shared::kBindingRadiance);

@@ -2,7 +2,6 @@
 
 #include "engine/passes/shading_work.h"
 #include "engine/passes/surface_options.h"
-#include "engine/passes/vpl_emission.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/lights.h"
 
@@ -33,7 +32,7 @@ VkClearValue background(const ForwardOptions& options) {
 
 }  // namespace
 
-ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle vpls,
+ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const VplBuffers& vpls,
                          const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount,
                          uint32_t width, uint32_t height) {
     const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
@@ -44,15 +43,16 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
     ForwardResult result;
     result.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     for (size_t i = 0; i < stretches.size(); ++i) {
-        if (i == 1 && !prepass) prepass = addVisibility(graph, scene, triangleCount, width, height);
+        if (i == 1 && !prepass) prepass = addVisibility(graph, scene, plan, triangleCount, width, height);
         shared::ShadePush push = stretches[i];
-        const BufferHandle window = addVplWindow(graph, vpls, push);
+        const BufferHandle window = addVplWindow(graph, vpls.list, push);
+        push.firstGloss = push.firstVpl;
         push.firstVpl = 0;
 
         PassBuilder pass = graph.addPass("forward");
         readSurfaces(pass, scene, PipelineKind::Graphics);
+        readVpls(pass, vpls, PipelineKind::Graphics);
         pass.read(scene.emitters, Access::GraphicsStorageRead, shared::kBindingEmitters)
-            .read(vpls, Access::GraphicsTexelRead, shared::kBindingVplTexels)
             .read(window, Access::GraphicsUniform, shared::kBindingVpls);
         scene.status = pass.write(scene.status, Access::GraphicsStorageReadWrite, shared::kBindingStatus);
         result.radiance = i == 0 ? pass.write(result.radiance, Access::ColorWrite, background(options))
@@ -68,9 +68,12 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
         }
         gpu::Specialisation constants = common;
         constants.push_back(options.compensates && i == 0);
-        pass.execute([constants, push, seenOnly, triangleCount](PassContext& context) {
+        const char* const shader = seenOnly           ? "forward_visible.frag"
+                                   : plan.alphaTested ? "forward_alpha.frag"
+                                                      : "forward.frag";
+        pass.execute([constants, push, shader, seenOnly, triangleCount](PassContext& context) {
             context.draw({.vertexShader = "geometry.vert",
-                          .fragmentShader = seenOnly ? "forward_visible.frag" : "forward.frag",
+                          .fragmentShader = shader,
                           .specialisation = constants,
                           .depthCompare = seenOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},
                          triangleCount * 3, push);

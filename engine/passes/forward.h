@@ -3,6 +3,7 @@
 
 #include "engine/passes/gpu_scene.h"
 #include "engine/passes/visibility.h"
+#include "engine/passes/vpl_buffers.h"
 
 #include <optional>
 
@@ -24,7 +25,7 @@ struct ForwardResult {
 
 /// `prepass`: only what it saw is shaded; without it the fragments of hidden surfaces that come first are shaded too,
 /// as the original system did. More lights than a draw may take on are drawn again, adding, on what is seen.
-ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, BufferHandle vpls,
+ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const VplBuffers& vpls,
                          const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount,
                          uint32_t width, uint32_t height);
 

@@ -6,19 +6,24 @@
 #include "shaders/shared/tonemap.h"
 
 namespace manylight {
+
 GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
                    uint32_t width, uint32_t height) {
-    const Visibility visibility = addVisibility(graph, scene, triangleCount, width, height);
+    const Visibility visibility = addVisibility(graph, scene, plan, triangleCount, width, height);
     GBuffer gbuffer;
     gbuffer.depth = visibility.depth;
     gbuffer.position = graph.createImage("G-buffer position", {VK_FORMAT_R32G32B32A32_UINT, width, height});
     gbuffer.shading = graph.createImage("G-buffer shading", {VK_FORMAT_R32G32B32A32_UINT, width, height});
+
+    gbuffer.gloss = graph.createImage("G-buffer gloss",
+                                      {VK_FORMAT_R32G32B32A32_UINT, plan.glossy ? width : 1, plan.glossy ? height : 1});
 
     PassBuilder lookUp = graph.addPass("gbuffer");
     readSurfaces(lookUp, scene, PipelineKind::Compute);
     lookUp.read(visibility.triangle, Access::ComputeStorageRead, shared::kBindingVisibility);
     gbuffer.position = lookUp.write(gbuffer.position, Access::ComputeStorageWrite, shared::kBindingGBufferPosition);
     gbuffer.shading = lookUp.write(gbuffer.shading, Access::ComputeStorageWrite, shared::kBindingGBufferShading);
+    gbuffer.gloss = lookUp.write(gbuffer.gloss, Access::ComputeStorageWrite, shared::kBindingGBufferGloss);
     lookUp.execute([options = surfaceOptions(plan), width, height](PassContext& context) {
         context.dispatch({.shader = "gbuffer.comp",
                           .groupWidth = shared::kImageGroupWidth,
@@ -27,6 +32,12 @@ GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan
                          width, height);
     });
     return gbuffer;
+}
+
+void readGBuffer(PassBuilder& pass, const GBuffer& gbuffer) {
+    pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
+        .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
+        .read(gbuffer.gloss, Access::ComputeStorageRead, shared::kBindingGBufferGloss);
 }
 
 }  // namespace manylight

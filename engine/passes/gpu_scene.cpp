@@ -1,9 +1,11 @@
 #include "engine/passes/gpu_scene.h"
 
 #include "engine/gpu/transfer.h"
-#include "engine/image/srgb.h"
+#include "engine/passes/pack_materials.h"
+#include "engine/scene/texture_mean.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/material.h"
+
+#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <array>
@@ -11,41 +13,6 @@
 
 namespace manylight {
 namespace {
-
-uint32_t textureMode(const Texture& texture) {
-    uint32_t mode = texture.filter == TextureFilter::Nearest ? shared::kTextureNearest : 0u;
-    if (texture.wrapU == TextureWrap::ClampToEdge) mode |= shared::kTextureClampU;
-    if (texture.wrapU == TextureWrap::MirroredRepeat) mode |= shared::kTextureMirrorU;
-    if (texture.wrapV == TextureWrap::ClampToEdge) mode |= shared::kTextureClampV;
-    if (texture.wrapV == TextureWrap::MirroredRepeat) mode |= shared::kTextureMirrorV;
-    return mode;
-}
-
-std::vector<shared::Material> packMaterials(const Scene& scene, const ScenePlan& plan) {
-    std::vector<shared::Material> packed;
-    for (const Material& material : scene.materials) {
-        const bool textured = plan.textured && material.albedoTexture.exists();
-        packed.push_back({material.albedo,
-                          textured ? static_cast<uint32_t>(material.albedoTexture.texture) : shared::kNoTexture,
-                          material.emittedRadiance, 0});
-    }
-    return packed;
-}
-
-struct TextureData {
-    std::vector<shared::TextureInfo> infos;
-    std::vector<uint8_t> texels;
-};
-
-TextureData packTextures(const Scene& scene) {
-    TextureData data;
-    for (const Texture& texture : scene.textures) {
-        data.infos.push_back(
-            {static_cast<uint32_t>(data.texels.size() / 4), texture.width, texture.height, textureMode(texture)});
-        data.texels.insert(data.texels.end(), texture.rgba.begin(), texture.rgba.end());
-    }
-    return data;
-}
 
 /// Creates storage buffers and queues their content.
 class SceneUploader {
@@ -73,23 +40,14 @@ class SceneUploader {
     gpu::Uploader uploader_;
 };
 
-/// Mean of the largest channel of a texture, linear.
-double meanTexel(const Texture& texture) {
-    std::array<uint64_t, 256> counts{};
-    for (size_t i = 0; i + 3 < texture.rgba.size(); i += 4)
-        ++counts[std::max({texture.rgba[i], texture.rgba[i + 1], texture.rgba[i + 2]})];
-    double sum = 0.0;
-    for (size_t byte = 0; byte < counts.size(); ++byte)
-        sum += static_cast<double>(counts[byte]) * double{decodeSrgb(static_cast<float>(byte) / 255.0f)};
-    return texture.rgba.empty() ? 1.0 : sum * 4.0 / static_cast<double>(texture.rgba.size());
-}
-
 void measureSurfaces(GpuScene& gpuScene, const Scene& scene) {
     std::vector<double> albedos;
     for (const Material& material : scene.materials) {
-        const bool isTextured = material.albedoTexture.exists();
-        albedos.push_back(double{std::max({material.albedo.x, material.albedo.y, material.albedo.z})} *
-                          (isTextured ? meanTexel(scene.textures[static_cast<size_t>(material.albedoTexture.texture)]) : 1.0));
+        glm::dvec3 albedo = material.albedo;
+        if (material.albedoTexture.exists())
+            albedo *= meanOfTexture(scene.textures[static_cast<size_t>(material.albedoTexture.texture)]);
+        albedo += glm::dvec3(material.specular);
+        albedos.push_back(std::min(std::max({albedo.x, albedo.y, albedo.z}), 1.0));
     }
     double albedoArea = 0.0;
     for (const Triangle& triangle : scene.triangles) {
@@ -103,6 +61,17 @@ void measureSurfaces(GpuScene& gpuScene, const Scene& scene) {
     gpuScene.meanAlbedo = gpuScene.surfaceArea > 0.0 ? static_cast<float>(albedoArea / gpuScene.surfaceArea) : 0.0f;
 }
 
+/// From the scene's order of triangles to the BVH's, and to the textures as they were packed.
+void locateEmitters(EmitterTable& table, const Scene& scene, const PackedMaterials& packed, const Bvh& bvh) {
+    std::vector<uint32_t> placeOf(bvh.triangleOrder.size());
+    for (uint32_t place = 0; place < placeOf.size(); ++place) placeOf[bvh.triangleOrder[place]] = place;
+    for (shared::Emitter& emitter : table.emitters) {
+        if (emitter.kind != shared::kEmitterTriangle) continue;
+        emitter.emissionTexture = packed.materials[scene.triangles[emitter.triangle].material].emissionTexture;
+        emitter.triangle = placeOf[emitter.triangle];
+    }
+}
+
 }  // namespace
 
 GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh) {
@@ -110,19 +79,27 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     constexpr VkBufferUsageFlags kTexel = VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
     std::vector<uint32_t> triangleMaterials;
     std::vector<glm::vec2> uvs;
+    std::vector<glm::uvec2> colours;
     for (const uint32_t index : bvh.triangleOrder) {
         const Triangle& triangle = scene.triangles[index];
         triangleMaterials.push_back(triangle.material);
-        if (plan.textured)
-            for (const uint32_t vertex : triangle.vertex) uvs.push_back(scene.vertices[vertex].uv);
+        for (const uint32_t corner : triangle.vertex) {
+            const Vertex& vertex = scene.vertices[corner];
+            if (plan.textured) uvs.push_back(vertex.uv);
+            if (plan.textured && plan.uvSets > 1) uvs.push_back(vertex.uv1);
+            if (plan.vertexColours)
+                colours.emplace_back(glm::packUnorm2x16({vertex.colour.x, vertex.colour.y}),
+                                     glm::packUnorm2x16({vertex.colour.z, vertex.colour.w}));
+        }
     }
-    const TextureData textures = plan.textured ? packTextures(scene) : TextureData{};
+    const PackedMaterials packed = packMaterials(scene, plan);
 
     GpuScene gpuScene;
     gpuScene.triangleCount = static_cast<uint32_t>(scene.triangles.size());
     gpuScene.triangleOrder = bvh.triangleOrder;
     gpuScene.sphere = boundingSphere(scene);
     gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius);
+    locateEmitters(gpuScene.emitterTable, scene, packed, bvh);
     measureSurfaces(gpuScene, scene);
 
     SceneUploader uploader(device);
@@ -133,16 +110,18 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
         uploader.upload("triangles", corners, kTexel | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, VK_FORMAT_R32G32B32A32_UINT);
     gpuScene.triangleMaterials = uploader.upload("triangle materials", triangleMaterials, kStorage);
     gpuScene.triangleUvs = uploader.upload("triangle uvs", uvs, kStorage);
-    gpuScene.materials = uploader.upload("materials", packMaterials(scene, plan), kStorage);
-    gpuScene.textureInfos = uploader.upload("texture infos", textures.infos, kStorage);
-    gpuScene.texels = uploader.upload("texels", textures.texels, kTexel, VK_FORMAT_R8G8B8A8_UNORM);
+    gpuScene.triangleColours = uploader.upload("triangle colours", colours, kStorage);
+    gpuScene.materials = uploader.upload("materials", packed.materials, kStorage);
+    gpuScene.textureInfos = uploader.upload("texture infos", packed.textureInfos, kStorage);
+    gpuScene.texels = uploader.upload("texels", packed.texels, kTexel, VK_FORMAT_R8G8B8A8_UNORM);
     gpuScene.emitters = uploader.upload("emitters", gpuScene.emitterTable.emitters, kStorage);
     uploader.finish();
 
     gpuScene.bvhNodeCount = bvh.nodes.size();
     gpuScene.bvhDepth = bvh.depth;
     gpuScene.geometryBytes = gpuScene.bvhNodes.buffer.size() + gpuScene.triangles.buffer.size() +
-                             gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size();
+                             gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size() +
+                             gpuScene.triangleColours.buffer.size();
     gpuScene.totalBytes = gpuScene.geometryBytes + gpuScene.materials.buffer.size() +
                           gpuScene.textureInfos.buffer.size() + gpuScene.texels.buffer.size() +
                           gpuScene.emitters.buffer.size();
@@ -165,6 +144,7 @@ SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& fra
             .triangles = importPhysical(graph, "triangles", scene.triangles),
             .triangleMaterials = importPhysical(graph, "triangle materials", scene.triangleMaterials),
             .triangleUvs = importPhysical(graph, "triangle uvs", scene.triangleUvs),
+            .triangleColours = importPhysical(graph, "triangle colours", scene.triangleColours),
             .materials = importPhysical(graph, "materials", scene.materials),
             .textureInfos = importPhysical(graph, "texture infos", scene.textureInfos),
             .texels = importPhysical(graph, "texels", scene.texels),
@@ -184,6 +164,7 @@ void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kin
     pass.read(scene.bvhNodes, texel, shared::kBindingBvhNodes)
         .read(scene.triangleMaterials, storage, shared::kBindingTriangleMaterials)
         .read(scene.triangleUvs, storage, shared::kBindingTriangleUvs)
+        .read(scene.triangleColours, storage, shared::kBindingTriangleColours)
         .read(scene.materials, storage, shared::kBindingMaterials)
         .read(scene.textureInfos, storage, shared::kBindingTextureInfos)
         .read(scene.texels, texel, shared::kBindingTexels)

@@ -13,7 +13,8 @@ struct GpuScene {
     PhysicalBuffer bvhNodes;
     PhysicalBuffer triangles;          // corners with packed normals, in leaf order; also the vertex buffer
     PhysicalBuffer triangleMaterials;  // one index per triangle
-    PhysicalBuffer triangleUvs;        // three per triangle, if textured
+    PhysicalBuffer triangleUvs;        // plan.uvSets for each corner, if textured
+    PhysicalBuffer triangleColours;    // three per triangle, if some are not white
     PhysicalBuffer materials;
     PhysicalBuffer textureInfos;
     PhysicalBuffer texels;
@@ -43,6 +44,7 @@ struct SceneHandles {
     BufferHandle triangles;
     BufferHandle triangleMaterials;
     BufferHandle triangleUvs;
+    BufferHandle triangleColours;
     BufferHandle materials;
     BufferHandle textureInfos;
     BufferHandle texels;

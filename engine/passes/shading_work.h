@@ -13,8 +13,8 @@ namespace manylight {
 std::vector<shared::ShadePush> shadingStretches(uint32_t lightCount, uint32_t vplCount, uint32_t limit,
                                                 bool showEmission);
 
-/// Rows of a dispatch that does `workPerPixel` for each of `width` pixels a row, `most` in all: a multiple of `rowStep`, at
-/// least one of it.
+/// Rows of a dispatch that does `workPerPixel` for each of `width` pixels a row, `most` in all: a multiple of
+/// `rowStep`, at least one of it.
 uint32_t rowsPerDispatch(uint32_t width, uint32_t workPerPixel, uint32_t most, uint32_t rowStep);
 
 }  // namespace manylight

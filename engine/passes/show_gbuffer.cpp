@@ -11,8 +11,7 @@ ImageHandle addShowGBuffer(FrameGraph& graph, const SceneHandles& scene, const S
     ImageHandle radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     PassBuilder pass = graph.addPass("show_gbuffer");
     readSurfaces(pass, scene, PipelineKind::Compute);
-    pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
-        .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading);
+    readGBuffer(pass, gbuffer);
     radiance = pass.write(radiance, Access::ComputeStorageWrite, shared::kBindingRadiance);
     const shared::ShowPush push{channel, depthScale};
     pass.execute([options = surfaceOptions(plan), push, width, height](PassContext& context) {

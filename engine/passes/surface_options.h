@@ -1,4 +1,4 @@
-// Specialisation constants 0 and 1 of every shader that looks up surfaces.
+// Specialisation constants of every shader that looks up surfaces; see shaders/lib/surface.glsl.
 #pragma once
 
 #include "engine/gpu/pipeline.h"
@@ -6,7 +6,18 @@
 
 namespace manylight {
 
-/// constant_id 0: kTextured, 1: kShadingNormals.
-inline gpu::Specialisation surfaceOptions(const ScenePlan& plan) { return {plan.textured, plan.shadingNormals}; }
+/// Constants 0 to 9. What a pass appends is numbered from 10.
+inline gpu::Specialisation surfaceOptions(const ScenePlan& plan) {
+    return {plan.textured,
+            plan.shadingNormals,
+            plan.glossy,
+            plan.alphaTested,
+            plan.normalMapped,
+            plan.vertexColours,
+            plan.emissionTextured,
+            plan.uvSets,
+            0u,
+            0u};
+}
 
 }  // namespace manylight

@@ -1,22 +1,29 @@
 #include "engine/passes/visibility.h"
 
+#include "engine/passes/surface_options.h"
+
 namespace manylight {
 
-Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, uint32_t triangleCount, uint32_t width,
-                         uint32_t height) {
+Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
+                         uint32_t width, uint32_t height) {
     constexpr VkClearValue kFarAway{.depthStencil = {0.0f, 0}};
     constexpr VkClearValue kNothing{.color = {.uint32 = {0, 0, 0, 0}}};
     Visibility visibility;
     visibility.triangle = graph.createImage("visibility", {VK_FORMAT_R32_UINT, width, height});
     visibility.depth = graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height});
     PassBuilder pass = graph.addPass("visibility");
-    readFrame(pass, scene, PipelineKind::Graphics);
-    pass.read(scene.triangles, Access::VertexBuffer);
+    if (plan.alphaTested)
+        readSurfaces(pass, scene, PipelineKind::Graphics);
+    else {
+        readFrame(pass, scene, PipelineKind::Graphics);
+        pass.read(scene.triangles, Access::VertexBuffer);
+    }
     visibility.triangle = pass.write(visibility.triangle, Access::ColorWrite, kNothing);
     visibility.depth = pass.write(visibility.depth, Access::DepthWrite, kFarAway);
-    pass.execute([triangleCount](PassContext& context) {
+    pass.execute([triangleCount, isTested = plan.alphaTested, options = surfaceOptions(plan)](PassContext& context) {
         context.draw({.vertexShader = "geometry.vert",
-                      .fragmentShader = "visibility.frag",
+                      .fragmentShader = isTested ? "visibility_alpha.frag" : "visibility.frag",
+                      .specialisation = options,
                       .depthCompare = VK_COMPARE_OP_GREATER},
                      triangleCount * 3);
     });

@@ -11,7 +11,7 @@ struct Visibility {
 };
 
 /// Of triangles at equal depth the one drawn first is seen.
-Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, uint32_t triangleCount, uint32_t width,
-                         uint32_t height);
+Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
+                         uint32_t width, uint32_t height);
 
 }  // namespace manylight

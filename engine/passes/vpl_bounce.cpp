@@ -14,6 +14,7 @@ void addVplBounces(FrameGraph& graph, SceneHandles& scene, const gpu::Specialisa
         // The first stretch of bounces starts the slots anew; later ones add to them.
         const Access slots = depth == 0 ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite;
         paths.vertices = pass.write(paths.vertices, slots, shared::kBindingPathVertices);
+        paths.gloss = pass.write(paths.gloss, slots, shared::kBindingPathGloss);
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         pass.execute([surfaceOptions, push](PassContext& context) {
             context.dispatch({.shader = "vpl_bounce.comp",

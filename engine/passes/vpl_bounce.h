@@ -11,6 +11,7 @@ struct PathBuffers {
     BufferHandle rays;      // Ray per path
     BufferHandle offsets;   // vertices per path, then their prefix sum with the total behind it
     BufferHandle vertices;  // LightData, slot = (depth - 1) * paths + path
+    BufferHandle gloss;     // VplGloss for each; a single one where the scene has no glossy surfaces
 };
 
 void addVplBounces(FrameGraph& graph, SceneHandles& scene, const gpu::Specialisation& surfaceOptions,

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "engine/passes/vpl_bounce.h"
+#include "engine/passes/vpl_buffers.h"
 
 namespace manylight {
 
 /// Adds the batch's share to `vpls` and returns the new version.
-BufferHandle addVplCompact(FrameGraph& graph, SceneHandles& scene, PathBuffers& paths, BufferHandle vpls,
-                           const shared::EmissionPush& push);
+VplBuffers addVplCompact(FrameGraph& graph, SceneHandles& scene, const gpu::Specialisation& surfaceOptions,
+                         PathBuffers& paths, VplBuffers vpls, const shared::EmissionPush& push);
 
 }  // namespace manylight

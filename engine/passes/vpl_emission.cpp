@@ -19,15 +19,17 @@ uint32_t shareBefore(uint32_t total, uint32_t batch, uint32_t batchCount) {
     return static_cast<uint32_t>(uint64_t{total} * batch / batchCount);
 }
 
-void emitPaths(FrameGraph& graph, const SceneHandles& scene, PathBuffers& paths, const shared::EmissionPush& push) {
+void emitPaths(FrameGraph& graph, const SceneHandles& scene, const gpu::Specialisation& surfaceOptions,
+               PathBuffers& paths, const shared::EmissionPush& push) {
     PassBuilder pass = graph.addPass("vpl_emission");
-    readFrame(pass, scene, PipelineKind::Compute);
+    readSurfaces(pass, scene, PipelineKind::Compute);
     pass.read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
     paths.rays = pass.write(paths.rays, Access::ComputeStorageWrite, shared::kBindingRays);
     paths.offsets = pass.write(paths.offsets, Access::ComputeStorageWrite, shared::kBindingPathOffsets);
-    pass.execute([push](PassContext& context) {
-        context.dispatch({.shader = "vpl_emission.comp", .groupWidth = shared::kEmissionGroupSize}, push.pathCount, 1,
-                         push);
+    pass.execute([surfaceOptions, push](PassContext& context) {
+        context.dispatch(
+            {.shader = "vpl_emission.comp", .groupWidth = shared::kEmissionGroupSize, .specialisation = surfaceOptions},
+            push.pathCount, 1, push);
     });
 }
 
@@ -37,12 +39,8 @@ uint32_t pathsPerBatch(uint32_t bounceCount) {
     return std::clamp(shared::kVerticesPerBatch / std::max(bounceCount, 1u), 1u, shared::kPathsPerBatch);
 }
 
-uint32_t paddedVplCount(uint32_t vplCount) {
-    return (vplCount + shared::kVplPadding - 1) / shared::kVplPadding * shared::kVplPadding;
-}
-
-BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
-                            const VplEmissionOptions& options) {
+VplBuffers addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
+                          const VplEmissionOptions& options) {
     const uint32_t batchCount = (options.pathCount - 1) / pathsPerBatch(options.bounceCount) + 1;
     // A batch without an entry in the list would lose its light.
     MANYLIGHT_CHECK(batchCount <= options.vplCount, "vpl_emission");
@@ -50,10 +48,10 @@ BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const SceneP
     PathBuffers paths;
     paths.rays = graph.createBuffer("rays", {batch * sizeof(shared::Ray)});
     paths.offsets = graph.createBuffer("path offsets", {(size_t{batch} + 1) * sizeof(uint32_t)});
-    paths.vertices =
-        graph.createBuffer("path vertices", {size_t{batch} * options.bounceCount * sizeof(shared::LightData)});
-    BufferHandle vpls = graph.createBuffer(
-        "VPLs", {size_t{paddedVplCount(options.vplCount)} * sizeof(shared::LightData), VK_FORMAT_R32G32B32A32_SFLOAT});
+    const size_t slots = size_t{batch} * options.bounceCount;
+    paths.vertices = graph.createBuffer("path vertices", {slots * sizeof(shared::LightData)});
+    paths.gloss = graph.createBuffer("path gloss", {(plan.glossy ? slots : 1) * sizeof(shared::VplGloss)});
+    VplBuffers vpls = createVplBuffers(graph, plan, options.vplCount);
 
     for (uint32_t b = 0; b < batchCount; ++b) {
         const uint32_t first = shareBefore(options.pathCount, b, batchCount);
@@ -70,9 +68,9 @@ BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const SceneP
             .paddedVplCount = (isLast ? paddedVplCount(options.vplCount) : endVpl) - firstVpl,
             .russianRoulette = options.russianRoulette ? 1u : 0u,
         };
-        emitPaths(graph, scene, paths, push);
+        emitPaths(graph, scene, surfaceOptions(plan), paths, push);
         addVplBounces(graph, scene, surfaceOptions(plan), paths, push);
-        vpls = addVplCompact(graph, scene, paths, vpls, push);
+        vpls = addVplCompact(graph, scene, surfaceOptions(plan), paths, vpls, push);
     }
     return vpls;
 }

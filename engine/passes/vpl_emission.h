@@ -1,7 +1,7 @@
 // Light paths: they leave the emitters, go from surface to surface, and their vertices become the VPL list.
 #pragma once
 
-#include "engine/passes/gpu_scene.h"
+#include "engine/passes/vpl_buffers.h"
 
 namespace manylight {
 
@@ -12,14 +12,11 @@ struct VplEmissionOptions {
     bool russianRoulette = true;  // by the albedo; without it every path goes on to the depth limit
 };
 
-/// The VPL list: LightData, `vplCount` entries padded with dark ones to a multiple of shared::kVplPadding.
-BufferHandle addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
-                            const VplEmissionOptions& options);
+/// The VPLs of a frame.
+VplBuffers addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
+                          const VplEmissionOptions& options);
 
 /// Light paths that are traced together, at most.
 uint32_t pathsPerBatch(uint32_t bounceCount);
-
-/// Entries of the list with its padding.
-uint32_t paddedVplCount(uint32_t vplCount);
 
 }  // namespace manylight

@@ -9,7 +9,7 @@
 namespace manylight {
 
 ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                        BufferHandle vpls, const VplLightOptions& options, std::optional<ImageHandle> radiance,
+                        const VplBuffers& vpls, const VplLightOptions& options, std::optional<ImageHandle> radiance,
                         uint32_t width, uint32_t height) {
     const bool shadows = options.castShadows;
     const uint32_t limit = shadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
@@ -21,9 +21,8 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
                                          {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
         PassBuilder pass = graph.addPass(options.cutOff ? "vpl_cut_off" : "vpl_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
-        pass.read(gbuffer.position, Access::ComputeStorageRead, shared::kBindingGBufferPosition)
-            .read(gbuffer.shading, Access::ComputeStorageRead, shared::kBindingGBufferShading)
-            .read(vpls, Access::ComputeTexelRead, shared::kBindingVplTexels);
+        readGBuffer(pass, gbuffer);
+        readVpls(pass, vpls, PipelineKind::Compute);
         if (shadows) scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         radiance = pass.write(*radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                               shared::kBindingRadiance);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/passes/gbuffer.h"
+#include "engine/passes/vpl_buffers.h"
 
 #include <optional>
 
@@ -17,7 +18,7 @@ struct VplLightOptions {
 
 /// Adds indirect light to `radiance`, or starts a radiance image where there is none. Returns the new version.
 ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                        BufferHandle vpls, const VplLightOptions& options, std::optional<ImageHandle> radiance,
+                        const VplBuffers& vpls, const VplLightOptions& options, std::optional<ImageHandle> radiance,
                         uint32_t width, uint32_t height);
 
 }  // namespace manylight

@@ -1,6 +1,8 @@
 #include "engine/scene/emitters.h"
 
+#include "engine/scene/texture_mean.h"
 #include "shaders/shared/constants.h"
+#include "shaders/shared/material.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +36,7 @@ Emitter fromLight(const Light& light, uint32_t kind) {
     emitter.emission = light.emission;
     emitter.cosCutoff = light.cosCutoff;
     emitter.cosBeam = light.cosBeam;
+    emitter.emissionTexture = shared::kNoTexture;
     return emitter;
 }
 
@@ -59,17 +62,20 @@ Candidate fromLight(const Light& light, double sceneRadius) {
     return {fromLight(light, shared::kEmitterConstant), emission * 4.0 * kPi * disk, true};
 }
 
-Candidate fromTriangle(const Scene& scene, const Triangle& triangle) {
+Candidate fromTriangle(const Scene& scene, uint32_t index, double emission) {
+    const Triangle& triangle = scene.triangles[index];
     const glm::vec3 p0 = scene.vertices[triangle.vertex[0]].position;
     Emitter emitter{};
     emitter.kind = shared::kEmitterTriangle;
+    emitter.emissionTexture = shared::kNoTexture;
     emitter.position = p0;
     emitter.edge1 = scene.vertices[triangle.vertex[1]].position - p0;
     emitter.edge2 = scene.vertices[triangle.vertex[2]].position - p0;
     emitter.emission = scene.materials[triangle.material].emittedRadiance;
     const double area = 0.5 * glm::length(glm::cross(glm::dvec3(emitter.edge1), glm::dvec3(emitter.edge2)));
     emitter.area = static_cast<float>(area);
-    return {emitter, meanChannel(emitter.emission) * area * kPi, true};
+    emitter.triangle = index;
+    return {emitter, emission * area * kPi, true};
 }
 
 /// Fills probability and cumulative of the chosen fields; the last cumulative is exactly 1.
@@ -106,6 +112,13 @@ BoundingSphere boundingSphere(const Scene& scene) {
     return {0.5f * (scene.boundsMin + scene.boundsMax), std::max(radius * 1.001f, 1e-3f)};
 }
 
+double meanEmission(const Scene& scene, const Material& material) {
+    glm::dvec3 radiance = material.emittedRadiance;
+    if (material.emissionTexture.exists() && radiance != glm::dvec3(0.0))
+        radiance *= meanOfTexture(scene.textures[static_cast<size_t>(material.emissionTexture.texture)]);
+    return meanChannel(glm::vec3(radiance));
+}
+
 EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
     std::vector<Candidate> candidates;
     EmitterTable table;
@@ -113,9 +126,11 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
         candidates.push_back(fromLight(light, double{sceneRadius}));
         if (light.type == LightType::Constant) table.environmentRadiance += light.emission;
     }
-    for (const Triangle& triangle : scene.triangles)
-        if (scene.materials[triangle.material].emittedRadiance != glm::vec3(0.0f))
-            candidates.push_back(fromTriangle(scene, triangle));
+    std::vector<double> emissions;
+    for (const Material& material : scene.materials) emissions.push_back(meanEmission(scene, material));
+    for (uint32_t i = 0; i < scene.triangles.size(); ++i)
+        if (const double emission = emissions[scene.triangles[i].material]; emission > 0.0)
+            candidates.push_back(fromTriangle(scene, i, emission));
 
     std::erase_if(candidates, [](const Candidate& candidate) { return !(candidate.power > 0.0); });
     std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.isArea; });
@@ -123,15 +138,22 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
         candidates, [](const Candidate&) { return true; }, &Emitter::probability, &Emitter::cumulative);
     distribute(
         candidates, [](const Candidate& c) { return c.isArea; }, &Emitter::areaProbability, &Emitter::areaCumulative);
+    double areaPower = 0.0;
     for (const Candidate& candidate : candidates) {
         table.emitters.push_back(candidate.emitter);
         table.totalPower += candidate.power;
+        areaPower += candidate.isArea ? candidate.power : 0.0;
         if (candidate.isArea)
             ++table.areaLightCount;
         else
             ++table.deltaLightCount;
-        if (candidate.emitter.kind == shared::kEmitterConstant)
-            table.environmentProbability += double{candidate.emitter.probability};
+        if (candidate.emitter.kind != shared::kEmitterConstant) continue;
+        table.environmentProbability += double{candidate.emitter.probability};
+        table.areaEnvironmentProbability += double{candidate.emitter.areaProbability};
+    }
+    if (table.areaLightCount > 0) {
+        table.areaPowerShare = (1.0 - kDefensiveShare) / areaPower;
+        table.areaEqualShare = kDefensiveShare / static_cast<double>(table.areaLightCount);
     }
     if (!candidates.empty()) {
         table.powerShare = (1.0 - kDefensiveShare) / table.totalPower;

@@ -19,12 +19,20 @@ struct EmitterTable {
     double powerShare = 0.0;
     double equalShare = 0.0;
     double environmentProbability = 0.0;  // of all constant lights together
+    // The same for Emitter::areaProbability.
+    double areaPowerShare = 0.0;
+    double areaEqualShare = 0.0;
+    double areaEnvironmentProbability = 0.0;
 };
 
 /// P = 0.9 * share of power + 0.1 / count: a weak light among strong ones keeps its share of paths (Hesterberg 1995's
 /// defensive mixture). Lights of no power are left out. `sceneRadius`: of the sphere that directional light and
-/// the environment must cover.
+/// the environment must cover. Emitter::triangle counts Scene::triangles; Emitter::emissionTexture is left to who packs
+/// the textures.
 EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius);
+
+/// Mean channel of the radiance that a material emits, over its texture.
+double meanEmission(const Scene& scene, const Material& material);
 
 /// Sphere around the scene's bounds.
 struct BoundingSphere {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace manylight {
 namespace {
@@ -25,6 +26,8 @@ uint64_t texelBytes(const Scene& scene) {
     return bytes;
 }
 
+bool isGlossy(const Material& material) { return material.metallic > 0.0f || material.specular != glm::vec3(0.0f); }
+
 bool emits(const Material& material) { return material.emittedRadiance != glm::vec3(0.0f); }
 
 }  // namespace
@@ -36,15 +39,54 @@ ScenePlan planScene(const Scene& scene, bool everything) {
                            [&](const Triangle& triangle) { return predicate(scene.materials[triangle.material]); });
     };
 
-    const bool textured = usesMaterial([](const Material& material) { return material.albedoTexture.exists(); });
+    const auto usesTexture = [&](auto&& accepts) {
+        return usesMaterial([&](const Material& m) {
+            return std::ranges::any_of(std::array{m.albedoTexture, m.emissionTexture, m.metallicRoughnessTexture,
+                                                  m.normalTexture, m.opacityTexture},
+                                       [&](const TextureUse& use) { return use.exists() && accepts(use); });
+        });
+    };
+    const bool textured = usesTexture([](const TextureUse&) { return true; });
     plan.textured = decide(plan, everything, textured, "textures",
                            textured ? "a triangle's material has a texture" : "no triangle's material has a texture",
                            scene.triangles.size() * 3 * sizeof(glm::vec2) + texelBytes(scene));
+
+    const bool secondUvs = usesTexture([](const TextureUse& use) { return use.uvSet > 0; });
+    plan.uvSets = decide(plan, everything, secondUvs, "second uvs",
+                         secondUvs ? "a texture is looked up by them" : "no texture is looked up by them",
+                         scene.triangles.size() * 3 * sizeof(glm::vec2))
+                      ? 2
+                      : 1;
 
     const bool normals = std::any_of(scene.vertices.begin(), scene.vertices.end(),
                                      [](const Vertex& vertex) { return vertex.normal != glm::vec3(0.0f); });
     plan.shadingNormals = decide(plan, everything, normals, "shading normals",
                                  normals ? "a vertex has a normal" : "no vertex has a normal: all triangles are flat");
+
+    const bool mapped = usesMaterial([](const Material& material) { return material.normalTexture.exists(); });
+    plan.normalMapped = decide(plan, everything, mapped, "normal maps",
+                               mapped ? "a triangle's material has one" : "no triangle's material has one");
+
+    const bool glossy = usesMaterial(isGlossy);
+    plan.glossy = decide(plan, everything, glossy, "glossy reflection",
+                         glossy ? "a triangle's material is metallic or specular" : "every triangle is Lambertian");
+
+    const bool translucent =
+        usesMaterial([](const Material& material) { return material.alphaMode != AlphaMode::Opaque; });
+    plan.alphaTested = decide(plan, everything, translucent, "opacity at hits",
+                              translucent ? "a triangle's material is not opaque" : "every triangle is opaque");
+
+    const bool coloured = std::any_of(scene.vertices.begin(), scene.vertices.end(),
+                                      [](const Vertex& vertex) { return vertex.colour != glm::vec4(1.0f); });
+    plan.vertexColours = decide(plan, everything, coloured, "vertex colours",
+                                coloured ? "a vertex has a colour" : "all vertices are white",
+                                scene.triangles.size() * 3 * sizeof(uint64_t));
+
+    const bool emissionVaries =
+        usesMaterial([](const Material& material) { return material.emissionTexture.exists() || material.unlit; });
+    plan.emissionTextured = decide(plan, everything, emissionVaries, "emission that varies over a triangle",
+                                   emissionVaries ? "a triangle's material has an emission texture, or is unlit"
+                                                  : "no triangle's material has an emission texture or is unlit");
 
     const bool emissive = usesMaterial(emits);
     const bool environment = std::any_of(scene.lights.begin(), scene.lights.end(),

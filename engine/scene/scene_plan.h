@@ -18,9 +18,15 @@ struct PlanDecision {
 
 struct ScenePlan {
     bool textured = true;        // uvs, texels and their lookups
+    uint32_t uvSets = 2;         // sets of uvs that are kept, at least 1
     bool shadingNormals = true;  // interpolated normals and the light paths' correction for them
-    bool areaLights = true;      // samples of emissive triangles and of the environment for direct light
-    bool lightPaths = true;      // any light at all, and surfaces to send it to
+    bool normalMapped = true;    // normals tilted by textures
+    bool glossy = true;          // reflection that depends on directions, in shading and in the VPLs
+    bool alphaTested = true;     // surfaces that let some light through: asked at every hit of a ray
+    bool vertexColours = true;
+    bool emissionTextured = true;  // emission that varies over a triangle, and unlit materials
+    bool areaLights = true;        // samples of emissive triangles and of the environment for direct light
+    bool lightPaths = true;        // any light at all, and surfaces to send it to
     std::vector<PlanDecision> decisions;
 };
 

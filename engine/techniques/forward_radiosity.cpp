@@ -11,7 +11,7 @@ TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, 
     const LightsOfFrame lights = addLightsOfFrame(graph, scene, inputs);
     std::optional<Visibility> prepass;
     if (settings.technique == Technique::ForwardPrepass)
-        prepass = addVisibility(graph, scene, triangleCount, settings.width, settings.height);
+        prepass = addVisibility(graph, scene, inputs.plan, triangleCount, settings.width, settings.height);
     const ForwardResult forward =
         addForward(graph, scene, inputs.plan, lights.vpls,
                    {.lightCount = lights.lightCount,

@@ -1,18 +1,20 @@
 #include "engine/techniques/lights_of_frame.h"
 
 #include "engine/passes/vpl_emission.h"
-#include "shaders/shared/lights.h"
 
 namespace manylight {
 namespace {
 
 /// A list of dark VPLs, for shaders that want one bound.
-BufferHandle addDarkVpls(FrameGraph& graph) {
-    BufferHandle vpls =
-        graph.createBuffer("VPLs", {paddedVplCount(1) * sizeof(shared::LightData), VK_FORMAT_R32G32B32A32_SFLOAT});
+VplBuffers addDarkVpls(FrameGraph& graph, const ScenePlan& plan) {
+    VplBuffers vpls = createVplBuffers(graph, plan, 1);
     PassBuilder pass = graph.addPass("dark_vpls");
-    vpls = pass.write(vpls, Access::TransferWrite);
-    pass.execute([vpls](PassContext& context) { context.fill(vpls, 0); });
+    vpls.list = pass.write(vpls.list, Access::TransferWrite);
+    vpls.gloss = pass.write(vpls.gloss, Access::TransferWrite);
+    pass.execute([vpls](PassContext& context) {
+        context.fill(vpls.list, 0);
+        context.fill(vpls.gloss, 0);
+    });
     return vpls;
 }
 
@@ -37,7 +39,7 @@ LightsOfFrame addLightsOfFrame(FrameGraph& graph, SceneHandles& scene, const Fra
                                       .bounceCount = static_cast<uint32_t>(*settings.bounceCount),
                                       .russianRoulette = settings.russianRoulette});
     } else {
-        result.vpls = addDarkVpls(graph);
+        result.vpls = addDarkVpls(graph, inputs.plan);
     }
     return result;
 }

@@ -209,6 +209,9 @@ void Renderer::writeFrameConstants() {
     frame.emitterPowerShare = static_cast<float>(table.powerShare);
     frame.emitterEqualShare = static_cast<float>(table.equalShare);
     frame.environmentProbability = static_cast<float>(table.environmentProbability);
+    frame.areaPowerShare = static_cast<float>(table.areaPowerShare);
+    frame.areaEqualShare = static_cast<float>(table.areaEqualShare);
+    frame.areaEnvironmentProbability = static_cast<float>(table.areaEnvironmentProbability);
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
 }
 

@@ -4,7 +4,7 @@
 #include "shaders/lib/ray.glsl"
 #include "shaders/lib/vpl_shading.glsl"
 
-layout(constant_id = 2) const bool kCastShadows = true;
+layout(constant_id = 10) const bool kCastShadows = true;
 
 const float kBeyondTheScene = 8.0;
 

@@ -4,6 +4,7 @@
 #define MANYLIGHT_LIB_BVH
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/bvh_ray.h"
+#include "shaders/shared/sobol.h"
 
 #ifndef __cplusplus
 layout(set = 0, binding = kBindingBvhNodes, rgba32ui) readonly uniform uimageBuffer bvhNodes;
@@ -12,7 +13,20 @@ layout(set = 0, binding = kBindingTriangles, rgba32ui) readonly uniform uimageBu
 // Whether any-hit queries keep their stack in registers, as SIMD code for CPUs likes it: a store that only some lanes
 // make is a branch for each lane there (10 % of the time for incoherent rays on lavapipe).
 layout(constant_id = 31) const bool kBvhStackInRegisters = true;
+
+// Left out by ScenePlan where every material is opaque.
+layout(constant_id = 3) const bool kAlphaTested = false;
 #endif
+
+// Does that ray pass through the triangle there? Defined by who knows materials; not asked unless kAlphaTested.
+bool letsThrough(uint triangle, vec2 barycentrics, uint ray);
+
+// A number by which a ray meets a translucent surface always in the same way.
+uint numberOfRay(vec3 origin, vec3 direction) {
+    const uint start = hashCombine(hashCombine(floatBitsToUint(origin.x), floatBitsToUint(origin.y)), floatBitsToUint(origin.z));
+    const uint end = hashCombine(hashCombine(floatBitsToUint(direction.x), floatBitsToUint(direction.y)), floatBitsToUint(direction.z));
+    return hashCombine(start, end);
+}
 
 struct Hit {
     float t;
@@ -104,6 +118,7 @@ uint nextInSlotOrder(uint children, uint siblings) {
 bool occluded(vec3 origin, vec3 direction, float tMax) {
     const TraversalRay ray = makeTraversalRay(origin, direction);
     const float tEnd = direction == vec3(0.0f) ? -1.0f : tMax;
+    const uint number = kAlphaTested ? numberOfRay(origin, direction) : 0u;
     beginTraversal();
     uint siblings = 1u;
     uint leafSlots = 0u;
@@ -125,7 +140,13 @@ bool occluded(vec3 origin, vec3 direction, float tMax) {
         const LeafTriangles triangles = lowestLeaf(leafSlots, firstTriangle);
         const TriangleHit a = testTriangle(ray, triangles.first, tEnd);
         const TriangleHit b = testTriangle(ray, triangles.second, tEnd);
-        isHit = hasSlots(leafSlots) && ((a.isHit && a.t < tEnd) || (b.isHit && b.t < tEnd));
+        bool hitsFirst = hasSlots(leafSlots) && a.isHit && a.t < tEnd;
+        bool hitsSecond = hasSlots(leafSlots) && b.isHit && b.t < tEnd;
+        if (kAlphaTested) {
+            hitsFirst = hitsFirst && !letsThrough(triangles.first, a.barycentrics, number);
+            hitsSecond = hitsSecond && !letsThrough(triangles.second, b.barycentrics, number);
+        }
+        isHit = hitsFirst || hitsSecond;
         leafSlots -= lowestSlotBit(leafSlots);
         isDone = isHit || !hasSlots(siblings | leafSlots);
     }
@@ -155,6 +176,7 @@ uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings) {
 // `siblings` is a queue, see bvh_ray.h, to be visited after `node`.
 Hit closestHit(vec3 origin, vec3 direction, float tMax) {
     const TraversalRay ray = makeTraversalRay(origin, direction);
+    const uint number = kAlphaTested ? numberOfRay(origin, direction) : 0u;
     Hit best;
     best.t = direction == vec3(0.0f) ? -1.0f : tMax;
     best.triangle = kNoHit;
@@ -186,6 +208,10 @@ Hit closestHit(vec3 origin, vec3 direction, float tMax) {
         TriangleHit b = testTriangle(ray, triangles.second, best.t);
         a.isHit = a.isHit && hasSlots(leafSlots);
         b.isHit = b.isHit && hasSlots(leafSlots);
+        if (kAlphaTested) {
+            a.isHit = a.isHit && !letsThrough(triangles.first, a.barycentrics, number);
+            b.isHit = b.isHit && !letsThrough(triangles.second, b.barycentrics, number);
+        }
         best = nearer(nearer(best, a, triangles.first, tMax), b, triangles.second, tMax);
         leafSlots -= lowestSlotBit(leafSlots);
         isDone = !hasNode && !hasSlots(leafSlots);

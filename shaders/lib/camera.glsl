@@ -1,6 +1,7 @@
 // The pinhole camera: rays through pixels, and where such a ray meets a known triangle.
 #ifndef MANYLIGHT_CAMERA_GLSL
 #define MANYLIGHT_CAMERA_GLSL
+#include "shaders/lib/random.glsl"
 #include "shaders/lib/surface.glsl"
 
 // Direction (not unit; length 1 along the axis) of the ray through a point of the picture, in pixels.
@@ -24,6 +25,12 @@ vec2 barycentricsOfPixel(TriangleRecord t, vec3 origin, vec3 direction) {
     vec2 b = det == 0.0 ? vec2(1.0 / 3.0) : vec2(dot(s, p), dot(direction, cross(s, e1))) / det;
     b = clamp(b, 0.0, 1.0);
     return b / max(1.0, b.x + b.y);
+}
+
+// Rasterisers ask this where rays ask letsThrough().
+bool pixelSeesThrough(uint triangle, ivec2 pixel) {
+    const vec2 barycentrics = barycentricsOfPixel(loadTriangle(triangle), frame.cameraPosition, cameraDirection(pixel));
+    return letsThrough(triangle, barycentrics, pixelSeed(frame.seed, pixel));
 }
 
 Surface surfaceOfPixel(uint triangle, ivec2 pixel) {

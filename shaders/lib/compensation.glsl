@@ -1,11 +1,12 @@
 // What the bound on the geometry term cuts off, given back (Kollig and Keller 2006):
 //   integral of f_r cos max(0, 1 - b / G) L over directions, L = light that the surface y there reflects.
-// G > b needs d^2 < cos / b, so that rays are short, most meet nothing, and a miss contributes exactly 0.
+// G > b needs d^2 < cos / b, so that rays are short, most meet nothing, and a miss contributes exactly 0. Where surfaces are
+// glossy the bound is on G and the peaks of both reflectances, rays go as far as they like, and 1 - b / G differs with
+// each light that y reflects.
 #ifndef MANYLIGHT_COMPENSATION_GLSL
 #define MANYLIGHT_COMPENSATION_GLSL
-#include "shaders/lib/arriving.glsl"
-#include "shaders/lib/light_samples.glsl"
-#include "shaders/lib/surface.glsl"
+#include "shaders/lib/glossy_vpls.glsl"
+#include "shaders/lib/shade_lights.glsl"
 #include "shaders/lib/vpl_texels.glsl"
 
 // At y few lights are asked: what is cut off is a small part of the picture, and so is the noise in it.
@@ -15,9 +16,16 @@ const uint kMostCompensations = 64u;  // one after the other; each needs a surfa
 const uint kDimensionCompensation = 0x20000u;
 const uint kDimensionsPerCompensation = 8u;
 
+// What y reflects of `irradiance` and the bound takes from the connection that has `product` without y's reflectance.
+vec3 summandCutOff(Receiver y, vec3 irradiance, vec3 toLight, float product) {
+    if (!kGlossy) return irradiance;
+    const vec3 reflectance = evaluateBsdf(y.bsdf, y.normal, toLight, y.toViewer);
+    return irradiance * reflectance * (1.0 - shareWithin(frame.geometryBound, product * peak(reflectance)));
+}
+
 // One or more emitters by their power, from the lights of direct light: an estimate of all of them.
-vec3 directIrradiance(Receiver y, uint seed, uint dimension) {
-    vec3 irradiance = vec3(0.0);
+vec3 sumOfEmitters(Receiver y, float product, uint seed, uint dimension) {
+    vec3 sum = vec3(0.0);
     for (uint s = 0u; s < kLightsAsked; ++s) {
         const uint index = frame.frame * kLightsAsked + s;
         const Emitter emitter = emitters[chooseEmitter(sample2d(index, seed, dimension).x, false)];
@@ -26,53 +34,90 @@ vec3 directIrradiance(Receiver y, uint seed, uint dimension) {
         LightData light = deltaLight(emitter);
         if (isArea) light = sampleOfEmitter(emitter, sample2d(index, seed, dimension + 1u), weight);
         else light.intensity *= weight;
-        irradiance += arriving(irradianceOfLight(y, light), y, light);
+        sum += arriving(summandCutOff(y, irradianceOfLight(y, light), directionTo(light, y), product), y, light);
     }
-    return irradiance;
+    return sum;
+}
+
+vec3 summandOfVpl(Receiver y, LightData vpl, uint i, float product) {
+    if (!kGlossy) return irradianceOfVpl(y, vpl, frame.geometryBound);
+    const vec3 direction = directionTo(vpl, y);
+    const vec3 reflectance = evaluateBsdf(y.bsdf, y.normal, direction, y.toViewer);
+    return radianceOfGlossyVpl(y, vpl, loadGloss(i), frame.geometryBound, false) *
+           (1.0 - shareWithin(frame.geometryBound, product * peak(reflectance)));
 }
 
 // A stratified few of the VPLs, bounded as everywhere. `room`: the bounces that y and those before it leave a VPL.
-vec3 vplIrradiance(Receiver y, float bound, uint room, uint seed, uint dimension) {
-    vec3 irradiance = vec3(0.0);
+vec3 sumOfVpls(Receiver y, float product, uint room, uint seed, uint dimension) {
+    vec3 sum = vec3(0.0);
     const float u = sample2d(frame.frame, seed, dimension).x;
     const float stride = float(frame.vplCount) / float(kVplsAsked);
     for (uint s = 0u; s < kVplsAsked; ++s) {
-        const LightData vpl = loadVpl(min(uint((float(s) + u) * stride), frame.vplCount - 1u));
-        const vec3 unshadowed = vpl.depth <= room ? irradianceOfVpl(y, vpl, bound) * stride : vec3(0.0);
-        irradiance += arriving(unshadowed, y, vpl);
+        const uint i = min(uint((float(s) + u) * stride), frame.vplCount - 1u);
+        const LightData vpl = loadVpl(i);
+        const vec3 unshadowed = vpl.depth <= room ? summandOfVpl(y, vpl, i, product) * stride : vec3(0.0);
+        sum += arriving(unshadowed, y, vpl);
     }
-    return irradiance;
+    return sum;
+}
+
+// A direction from x, and reflectance * cosine / density there.
+struct Continuation {
+    vec3 direction;
+    vec3 weight;
+    vec3 reflectance;
+};
+
+Continuation continueFrom(Receiver x, uint seed, uint dimension) {
+    Continuation next;
+    const vec2 u = sample2d(frame.frame, seed, dimension);
+    if (!kGlossy || x.bsdf.f90 == 0.0) {
+        next.direction = normalize(toWorld(squareToCosineHemisphere(u), x.normal));
+        next.weight = x.bsdf.diffuse;
+        next.reflectance = kInvPi * x.bsdf.diffuse;
+        return next;
+    }
+    next.direction = sampleBsdf(x.bsdf, x.normal, x.toViewer, sample2d(frame.frame, seed, dimension + 5u).x, u);
+    next.reflectance = evaluateBsdf(x.bsdf, x.normal, next.direction, x.toViewer);
+    const float density = bsdfDensity(x.bsdf, x.normal, next.direction, x.toViewer);
+    next.weight = next.reflectance * (max(dot(x.normal, next.direction), 0.0) / max(density, 1e-30));
+    return next;
 }
 
 // Radiance that the receiver, seen by the camera, lacks.
-vec3 compensation(Receiver x, vec3 albedo, uint seed) {
+vec3 compensation(Receiver x, uint seed) {
     const float bound = frame.geometryBound;
     const uint bounces = min(frame.bounceCount, kMostCompensations);
     vec3 radiance = vec3(0.0);
-    vec3 throughput = albedo;
+    vec3 throughput = vec3(1.0);
+    float product = 0.0;  // of the last connection; nothing was connected yet
     for (uint bounce = 1u; bounce <= bounces; ++bounce) {
         const uint dimension = kDimensionCompensation + bounce * kDimensionsPerCompensation;
-        const vec3 local = squareToCosineHemisphere(sample2d(frame.frame, seed, dimension));
-        const vec3 direction = normalize(toWorld(local, x.normal));
-        const float cosine = max(dot(direction, x.normal), 0.0);
-        const float reach = min(sqrt(cosine / max(bound, 1e-30)), kBeyondTheScene);
-        const bool matters = throughput != vec3(0.0) && dot(x.geometricNormal, direction) > 0.0;
+        const Continuation next = continueFrom(x, seed, dimension);
+        throughput *= next.weight;
+        // What is cut at x depends on where x sends the light on from, which is known by now only.
+        if (kGlossy && bounce > 1u) throughput *= 1.0 - shareWithin(bound, product * peak(next.reflectance));
+        const float cosine = max(dot(next.direction, x.normal), 0.0);
+        const float shortReach = min(sqrt(cosine / max(bound, 1e-30)), kBeyondTheScene);
+        const float reach = kGlossy ? kBeyondTheScene : shortReach;
+        const bool matters = throughput != vec3(0.0) && dot(x.geometricNormal, next.direction) > 0.0;
         const Hit hit =
-            closestHit(offsetPoint(x.position, x.geometricNormal), matters ? direction : vec3(0.0), reach);
+            closestHit(offsetPoint(x.position, x.geometricNormal), matters ? next.direction : vec3(0.0), reach);
         if (hit.triangle == kNoHit) break;
-        const Surface surface = surfaceAt(hit.triangle, hit.barycentrics, -direction);
-        const Receiver y = Receiver(surface.position, surface.normal, surface.geometricNormal);
+        const Receiver y = receiverOf(surfaceAt(hit.triangle, hit.barycentrics, -next.direction), -next.direction);
         const float g = geometryTerm(x.normal, y.geometricNormal, y.position - x.position);
-        if (g <= bound) break;
-        throughput *= 1.0 - bound / g;
+        product = kGlossy ? g * peak(next.reflectance) : g;
+        // A Lambertian y has no peak that could lift the product above the bound.
+        if (product <= bound && (!kGlossy || y.bsdf.f90 == 0.0)) break;
+        if (!kGlossy) throughput *= 1.0 - bound / g;
 
-        const vec3 irradiance = directIrradiance(y, seed, dimension + 1u) +
-                                vplIrradiance(y, bound, frame.bounceCount - bounce, seed, dimension + 3u);
-        radiance += throughput * surface.albedo * kInvPi * irradiance;
+        const vec3 sum = sumOfEmitters(y, product, seed, dimension + 1u) +
+                         sumOfVpls(y, product, frame.bounceCount - bounce, seed, dimension + 3u);
+        radiance += throughput * radianceFromSum(y, sum);
 
-        const float survival = max(surface.albedo.x, max(surface.albedo.y, surface.albedo.z));
+        const float survival = min(largestChannel(y.bsdf.diffuse + y.bsdf.f0), 1.0);
         if (sample2d(frame.frame, seed, dimension + 4u).x >= survival) break;
-        throughput *= surface.albedo / survival;
+        throughput /= survival;
         x = y;
     }
     return radiance;

@@ -1,13 +1,23 @@
 // What the camera sees of the lights themselves.
 #ifndef MANYLIGHT_EMISSION_SEEN_GLSL
 #define MANYLIGHT_EMISSION_SEEN_GLSL
-#include "shaders/lib/surface.glsl"
+#include "shaders/lib/camera.glsl"
 
-// Emitters show on their front side only; beyond the scene is the environment.
-vec3 radianceEmittedTowards(bool isSurface, uint triangle, vec3 toViewer) {
-    if (!isSurface) return frame.environmentRadiance;
+// Unlit materials are seen as they are; others show what their front side emits.
+vec3 emissionSeenAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
+    const uint material = triangleMaterials[triangle];
+    if (kEmissionTextured && materials[material].isUnlit != 0u) return albedoAt(triangle, barycentrics, material);
     const bool isFront = dot(counterClockwiseNormal(loadTriangle(triangle)), toViewer) > 0.0;
-    return isFront ? materials[triangleMaterials[triangle]].emittedRadiance : vec3(0.0);
+    return isFront ? emittedRadianceAt(triangle, barycentrics, material) : vec3(0.0);
+}
+
+// Beyond the scene is the environment.
+vec3 emissionSeenBy(ivec2 pixel, bool isSurface, uint triangle) {
+    if (!isSurface) return frame.environmentRadiance;
+    const vec3 direction = cameraDirection(pixel);
+    vec2 barycentrics = vec2(0.0);
+    if (kEmissionTextured) barycentrics = barycentricsOfPixel(loadTriangle(triangle), frame.cameraPosition, direction);
+    return emissionSeenAt(triangle, barycentrics, -direction);
 }
 
 #endif

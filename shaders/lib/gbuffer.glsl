@@ -1,12 +1,13 @@
 // The G-buffer's layout, 32 bytes a pixel: position as it is, normal as an octahedral pair of floats, albedo in 21 bits
-// a channel. Fine enough that forward shading, which stores nothing, agrees to rounding.
+// a channel. Fine enough that forward shading, which stores nothing, agrees to rounding. 16 bytes more where the scene
+// has glossy surfaces.
 #ifndef MANYLIGHT_GBUFFER_GLSL
 #define MANYLIGHT_GBUFFER_GLSL
 #include "shaders/lib/surface.glsl"
 
 const float kAlbedoSteps = 2097151.0;  // 2^21 - 1
 
-struct GBufferTexels { uvec4 position; uvec4 shading; };
+struct GBufferTexels { uvec4 position; uvec4 shading; uvec4 gloss; };
 
 uvec2 packAlbedo(vec3 albedo) {
     const uvec3 steps = uvec3(clamp(albedo, 0.0, 1.0) * kAlbedoSteps + 0.5);
@@ -34,7 +35,8 @@ vec3 unitFromOctahedral(vec2 square) {
 GBufferTexels packGBuffer(Surface surface, uint triangle) {
     GBufferTexels texels;
     texels.position = uvec4(floatBitsToUint(surface.position), triangle + 1u);
-    texels.shading = uvec4(floatBitsToUint(octahedralFromUnit(surface.normal)), packAlbedo(surface.albedo));
+    texels.shading = uvec4(floatBitsToUint(octahedralFromUnit(surface.normal)), packAlbedo(surface.bsdf.diffuse));
+    texels.gloss = uvec4(floatBitsToUint(surface.bsdf.f0), floatBitsToUint(surface.bsdf.alpha));
     return texels;
 }
 

@@ -7,12 +7,12 @@
 
 layout(set = 0, binding = kBindingGBufferPosition, rgba32ui) readonly uniform uimage2D gbufferPosition;
 layout(set = 0, binding = kBindingGBufferShading, rgba32ui) readonly uniform uimage2D gbufferShading;
+layout(set = 0, binding = kBindingGBufferGloss, rgba32ui) readonly uniform uimage2D gbufferGloss;
 
 struct GBufferPixel {
     bool isSurface;
     uint triangle;
     Receiver receiver;  // zero normal where no surface is
-    vec3 albedo;
 };
 
 // `withGeometricNormal`: costs the triangle's corners; needed by rays only.
@@ -31,7 +31,14 @@ GBufferPixel readGBuffer(ivec2 pixel, bool withGeometricNormal) {
         const bool isFront = dot(counterClockwise, result.receiver.normal) >= 0.0;
         result.receiver.geometricNormal = isFront ? counterClockwise : -counterClockwise;
     }
-    result.albedo = unpackAlbedo(shading.zw);
+    result.receiver.toViewer = -normalize(cameraDirection(inside));
+    result.receiver.bsdf = lambertian(result.isSurface ? unpackAlbedo(shading.zw) : vec3(0.0));
+    if (kGlossy) {
+        const vec4 gloss = uintBitsToFloat(imageLoad(gbufferGloss, inside));
+        result.receiver.bsdf.f0 = gloss.xyz;
+        result.receiver.bsdf.f90 = grazingReflectance(gloss.xyz);
+        result.receiver.bsdf.alpha = gloss.w;
+    }
     return result;
 }
 

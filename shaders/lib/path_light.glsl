@@ -2,7 +2,7 @@
 // apart from the VPL techniques, which are tested against it: the two share the emitter table and nothing else of this.
 #ifndef MANYLIGHT_PATH_LIGHT_GLSL
 #define MANYLIGHT_PATH_LIGHT_GLSL
-#include "shaders/lib/emitters.glsl"
+#include "shaders/lib/emitter_radiance.glsl"
 #include "shaders/lib/ray.glsl"
 #include "shaders/lib/surface.glsl"
 
@@ -14,8 +14,8 @@ struct LightSample {
 };
 
 // Per solid angle at distance d, of the point on an emissive triangle that next-event estimation would choose.
-float densityOfEmitterPoint(vec3 radiance, float area, float squaredDistance, float cosLight) {
-    const float power = kPi * area * (radiance.x + radiance.y + radiance.z) / 3.0;
+float densityOfEmitterPoint(float meanEmission, float area, float squaredDistance, float cosLight) {
+    const float power = kPi * area * meanEmission;
     const float probability = frame.emitterPowerShare * power + frame.emitterEqualShare;
     return probability / area * squaredDistance / max(cosLight, 1e-20);
 }
@@ -31,7 +31,7 @@ LightSample sampleTriangle(Emitter emitter, vec3 position, vec2 u) {
     light.direction = toLight * inversesqrt(squaredDistance);
     const float cosLight = -dot(normal, light.direction);
     light.density = emitter.probability / emitter.area * squaredDistance / max(cosLight, 1e-20);
-    light.irradiance = cosLight > 0.0 ? emitter.emission / light.density : vec3(0.0);
+    light.irradiance = cosLight > 0.0 ? radianceOfTriangle(emitter, u) / light.density : vec3(0.0);
     light.end = offsetRayOrigin(point, normal, -toLight);
     return light;
 }

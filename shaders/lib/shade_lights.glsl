@@ -3,20 +3,59 @@
 #define MANYLIGHT_SHADE_LIGHTS_GLSL
 #include "shaders/lib/arriving.glsl"
 #include "shaders/lib/light_samples.glsl"
+#include "shaders/lib/reflected.glsl"
 
-// Irradiance of entries [first, first + count) of: point, spot and directional lights, then samples of area lights.
-vec3 irradianceOfLights(Receiver receiver, uint seed, uint first, uint count) {
+vec3 directionTo(LightData light, Receiver receiver) {
+    if (light.kind == kLightDirectional) return -light.direction;
+    const vec3 toLight = light.position - receiver.position;
+    return toLight * inversesqrt(max(dot(toLight, toLight), 1e-30));
+}
+
+vec3 summandOfLight(Receiver receiver, LightData light, float share) {
+    const vec3 irradiance = share * irradianceOfLight(receiver, light);
+    return arriving(summand(receiver, irradiance, directionTo(light, receiver)), receiver, light);
+}
+
+// Of a sample of an area light. Where reflection depends on directions these are sampled too, see reflectedLights(), and
+// the sample counts for its share.
+vec3 summandOfArea(Receiver receiver, AreaSample area) {
+    float share = 1.0;
+    if (kGlossy && kCastShadows && receiver.bsdf.f90 > 0.0) {
+        const vec3 direction = directionTo(area.light, receiver);
+        const float density = bsdfDensity(receiver.bsdf, receiver.normal, direction, receiver.toViewer);
+        share = shareOfLightSample(densityOfSample(area, receiver.position), density);
+    }
+    return summandOfLight(receiver, area.light, share);
+}
+
+// Summands of entries [first, first + count) of: point, spot and directional lights, then samples of area lights.
+vec3 sumOfLights(Receiver receiver, uint seed, uint first, uint count) {
     const uint deltaLightCount = frame.deltaLightCount;
-    vec3 irradiance = vec3(0.0);
-    for (uint i = first; i < min(first + count, deltaLightCount); ++i) {
-        const LightData light = deltaLight(emitters[i]);
-        irradiance += arriving(irradianceOfLight(receiver, light), receiver, light);
-    }
-    for (uint i = max(first, deltaLightCount); i < first + count; ++i) {
-        const LightData light = sampleOfArea(i - deltaLightCount, seed);
-        irradiance += arriving(irradianceOfLight(receiver, light), receiver, light);
-    }
-    return irradiance;
+    vec3 sum = vec3(0.0);
+    for (uint i = first; i < min(first + count, deltaLightCount); ++i)
+        sum += summandOfLight(receiver, deltaLight(emitters[i]), 1.0);
+    for (uint i = max(first, deltaLightCount); i < first + count; ++i)
+        sum += summandOfArea(receiver, sampleOfArea(i - deltaLightCount, seed));
+    return sum;
+}
+
+// The other half of direct light from area lights on glossy surfaces: one direction by the reflectance, and what shines
+// there, weighted against the samples of the lights (Veach and Guibas 1995).
+vec3 reflectedLights(Receiver receiver, uint seed) {
+    const vec2 u = sample2d(frame.frame, seed, kDimensionReflected);
+    const float uLobe = sample2d(frame.frame, seed, kDimensionReflected + 1u).x;
+    const vec3 direction = sampleBsdf(receiver.bsdf, receiver.normal, receiver.toViewer, uLobe, u);
+    const float density = bsdfDensity(receiver.bsdf, receiver.normal, direction, receiver.toViewer);
+    const float cosine = dot(receiver.normal, direction);
+    const bool matters = kCastShadows && frame.lightSampleCount > 0u && cosine > 0.0 && density > 0.0 && receiver.bsdf.f90 > 0.0 &&
+                         dot(receiver.geometricNormal, direction) > 0.0;
+    const vec3 origin = offsetPoint(receiver.position, receiver.geometricNormal);
+    const Hit hit = closestHit(origin, matters ? direction : vec3(0.0), kBeyondTheScene);
+    if (!matters) return vec3(0.0);
+    const EmissionMet met = emissionMetBy(hit, direction);
+    const float share = 1.0 - shareOfLightSample(met.density, density);
+    return evaluateBsdf(receiver.bsdf, receiver.normal, direction, receiver.toViewer) * met.radiance *
+           (cosine / density * share);
 }
 
 #endif

@@ -5,14 +5,16 @@
 #include "shaders/lib/arriving.glsl"
 
 // Instead of the bounded light, sums what the bound cuts off: an AOV.
-layout(constant_id = 6) const bool kCutOff = false;
+layout(constant_id = 14) const bool kCutOff = false;
 
-vec3 shareOfVpl(Receiver receiver, LightData vpl, float bound) {
+// VPL i of the loaded block.
+vec3 shareOfVpl(Receiver receiver, LightData vpl, uint i, float bound) {
+    if (kGlossy) return radianceOfGlossyVpl(receiver, vpl, glossOfBlock(i), bound, kCutOff);
     return kCutOff ? irradianceCutOff(receiver, vpl, bound) : irradianceOfVpl(receiver, vpl, bound);
 }
 
-// Adds the irradiance of VPLs [first, first + count). Blocks are summed apart, which keeps rounding small in long lists.
-void shadeVpls(Receiver receivers[kReceivers], uint first, uint count, float bound, inout vec3 irradiance[kReceivers]) {
+// Adds the summands of VPLs [first, first + count). Blocks are summed apart, which keeps rounding small in long lists.
+void shadeVpls(Receiver receivers[kReceivers], uint first, uint count, float bound, inout vec3 sums[kReceivers]) {
     for (uint base = first; base < first + count; base += kVplBlock) {
         loadVplBlock(base);
         vec3 blockSum[kReceivers];
@@ -20,9 +22,9 @@ void shadeVpls(Receiver receivers[kReceivers], uint first, uint count, float bou
         for (uint i = 0u; i < kVplBlock; ++i) {
             const LightData vpl = vplOfBlock(i);
             for (uint r = 0u; r < kReceivers; ++r)
-                blockSum[r] += arriving(shareOfVpl(receivers[r], vpl, bound), receivers[r], vpl);
+                blockSum[r] += arriving(shareOfVpl(receivers[r], vpl, i, bound), receivers[r], vpl);
         }
-        for (uint r = 0u; r < kReceivers; ++r) irradiance[r] += blockSum[r];
+        for (uint r = 0u; r < kReceivers; ++r) sums[r] += blockSum[r];
     }
 }
 

@@ -3,14 +3,21 @@
 #define MANYLIGHT_SURFACE_GLSL
 #include "shaders/lib/bvh.glsl"
 #include "shaders/lib/texture.glsl"
+#include "shaders/shared/bsdf.h"
 #include "shaders/shared/packing.h"
 
-// Left out by ScenePlan where the scene has no textures, no shading normals.
+// Left out by ScenePlan where the scene has no such thing.
 layout(constant_id = 0) const bool kTextured = true;
 layout(constant_id = 1) const bool kShadingNormals = true;
+layout(constant_id = 2) const bool kGlossy = true;            // reflection that depends on directions
+layout(constant_id = 4) const bool kNormalMapped = true;
+layout(constant_id = 5) const bool kVertexColours = true;
+layout(constant_id = 6) const bool kEmissionTextured = true;  // emission that varies over a triangle
+layout(constant_id = 7) const uint kUvSets = 2u;              // in the buffer
 
 layout(set = 0, binding = kBindingTriangleMaterials, scalar) readonly buffer TriangleMaterialBlock { uint triangleMaterials[]; };
 layout(set = 0, binding = kBindingTriangleUvs, scalar) readonly buffer TriangleUvBlock { vec2 triangleUvs[]; };
+layout(set = 0, binding = kBindingTriangleColours, scalar) readonly buffer TriangleColourBlock { uvec2 triangleColours[]; };
 layout(set = 0, binding = kBindingMaterials, scalar) readonly buffer MaterialBlock { Material materials[]; };
 
 // Corners of a triangle: xyz is the position, w the packed shading normal.
@@ -26,7 +33,7 @@ struct Surface {
     vec3 position;
     vec3 geometricNormal;  // unit, on the side that `viewer` is on
     vec3 normal;           // unit shading normal, on the same side
-    vec3 albedo;
+    Bsdf bsdf;
     uint material;
     bool isFrontFacing;    // the viewer is on the counter-clockwise side
 };
@@ -34,6 +41,11 @@ struct Surface {
 vec3 positionAt(TriangleRecord t, vec2 barycentrics) {
     const vec3 p0 = uintBitsToFloat(t.corner0.xyz);
     return p0 + barycentrics.x * (uintBitsToFloat(t.corner1.xyz) - p0) + barycentrics.y * (uintBitsToFloat(t.corner2.xyz) - p0);
+}
+
+float areaOf(TriangleRecord t) {
+    const vec3 p0 = uintBitsToFloat(t.corner0.xyz);
+    return max(0.5 * length(cross(uintBitsToFloat(t.corner1.xyz) - p0, uintBitsToFloat(t.corner2.xyz) - p0)), 1e-30);
 }
 
 // Unit normal of the counter-clockwise side. The edges are scaled first: the cross product of two short ones would
@@ -59,12 +71,103 @@ vec3 shadingNormalAt(TriangleRecord t, vec2 barycentrics, vec3 geometric) {
     return squared > 1e-12 ? n * inversesqrt(squared) : geometric;
 }
 
-vec3 albedoAt(uint triangle, vec2 barycentrics, Material material) {
-    if (!kTextured || material.albedoTexture == kNoTexture) return material.albedo;
-    const vec2 uv0 = triangleUvs[triangle * 3u];
-    const vec2 uv = uv0 + barycentrics.x * (triangleUvs[triangle * 3u + 1u] - uv0) +
-                    barycentrics.y * (triangleUvs[triangle * 3u + 2u] - uv0);
-    return material.albedo * sampleTexture(material.albedoTexture, uv);
+vec2 cornerUv(uint triangle, uint corner, uint set) { return triangleUvs[(triangle * 3u + corner) * kUvSets + set]; }
+
+vec2 uvAt(uint triangle, vec2 barycentrics, uint set) {
+    const vec2 uv0 = cornerUv(triangle, 0u, set);
+    return uv0 + barycentrics.x * (cornerUv(triangle, 1u, set) - uv0) + barycentrics.y * (cornerUv(triangle, 2u, set) - uv0);
+}
+
+vec4 uvsAt(uint triangle, vec2 barycentrics) {
+    if (!kTextured) return vec4(0.0);
+    return vec4(uvAt(triangle, barycentrics, 0u), kUvSets > 1u ? uvAt(triangle, barycentrics, 1u) : vec2(0.0));
+}
+
+vec4 cornerColour(uint triangle, uint corner) {
+    const uvec2 bits = triangleColours[triangle * 3u + corner];
+    return vec4(unpackUnorm2x16(bits.x), unpackUnorm2x16(bits.y));
+}
+
+vec4 vertexColourAt(uint triangle, vec2 barycentrics) {
+    if (!kVertexColours) return vec4(1.0);
+    const vec4 c0 = cornerColour(triangle, 0u);
+    return c0 + barycentrics.x * (cornerColour(triangle, 1u) - c0) + barycentrics.y * (cornerColour(triangle, 2u) - c0);
+}
+
+// The texture's value there, 1 where there is none.
+vec4 texturedBy(uint texture, vec4 uvs) {
+    return kTextured && texture != kNoTexture ? sampleTexture(texture, uvs) : vec4(1.0);
+}
+
+vec3 albedoAt(uint triangle, vec2 barycentrics, uint material) {
+    return materials[material].albedo *
+           texturedBy(materials[material].albedoTexture, uvsAt(triangle, barycentrics)).rgb *
+           vertexColourAt(triangle, barycentrics).rgb;
+}
+
+// Radiance that the front side emits.
+vec3 emittedRadianceAt(uint triangle, vec2 barycentrics, uint material) {
+    const vec3 radiance = materials[material].emittedRadiance;
+    if (!kEmissionTextured || radiance == vec3(0.0)) return radiance;
+    return radiance * texturedBy(materials[material].emissionTexture, uvsAt(triangle, barycentrics)).rgb;
+}
+
+// What of a material that is not opaque is there, in [0, 1].
+float coverageAt(uint triangle, vec2 barycentrics, uint material) {
+    const float opacity = materials[material].opacity *
+                          texturedBy(materials[material].opacityTexture, uvsAt(triangle, barycentrics)).a *
+                          vertexColourAt(triangle, barycentrics).a;
+    if (materials[material].alphaMode == kAlphaMask) return opacity >= materials[material].alphaCutoff ? 1.0 : 0.0;
+    return opacity;
+}
+
+// In bvh.glsl's terms: does a ray, or the camera, go through the triangle here? `u` is uniform in [0, 1).
+bool isTransparentAt(uint triangle, vec2 barycentrics, float u) {
+    const uint material = triangleMaterials[triangle];
+    return materials[material].alphaMode != kAlphaOpaque && u >= coverageAt(triangle, barycentrics, material);
+}
+
+bool letsThrough(uint triangle, vec2 barycentrics, uint ray) {
+    const uint key = hashCombine(hashCombine(hashCombine(ray, frame.seed), frame.frame), triangle);
+    return isTransparentAt(triangle, barycentrics, float(key >> 8) * (1.0 / 16777216.0));
+}
+
+// Tilts `n` by the material's normal map. Tangent and bitangent go along the texture's u and v; they need not be
+// perpendicular, and mirrored uvs mirror them.
+vec3 mappedNormal(TriangleRecord t, uint triangle, vec2 barycentrics, uint material, vec3 n) {
+    const uint texture = materials[material].normalTexture;
+    if (!kNormalMapped || texture == kNoTexture) return n;
+    const uint set = (textureInfos[texture].mode & kTextureUv1) != 0u ? 1u : 0u;
+    const vec2 uv0 = cornerUv(triangle, 0u, set);
+    const vec2 duv1 = cornerUv(triangle, 1u, set) - uv0;
+    const vec2 duv2 = cornerUv(triangle, 2u, set) - uv0;
+    const float det = duv1.x * duv2.y - duv1.y * duv2.x;
+    if (det == 0.0) return n;
+    const vec3 p0 = uintBitsToFloat(t.corner0.xyz);
+    const vec3 e1 = uintBitsToFloat(t.corner1.xyz) - p0;
+    const vec3 e2 = uintBitsToFloat(t.corner2.xyz) - p0;
+    const float side = det < 0.0 ? -1.0 : 1.0;
+    vec3 alongU = side * (duv2.y * e1 - duv1.y * e2);
+    alongU -= dot(alongU, n) * n;
+    const float squared = dot(alongU, alongU);
+    if (squared == 0.0) return n;
+    const vec3 tangent = alongU * inversesqrt(squared);
+    const vec3 towardsV = side * (duv1.x * e2 - duv2.x * e1);
+    const vec3 across = cross(n, tangent);
+    // Green points up in the picture: against v, which grows with its rows.
+    const vec3 bitangent = dot(across, towardsV) > 0.0 ? -across : across;
+    const vec3 texel = 2.0 * texturedBy(texture, uvsAt(triangle, barycentrics)).rgb - 1.0;
+    const vec3 tilted = materials[material].normalScale * (texel.x * tangent + texel.y * bitangent) + texel.z * n;
+    const float length2 = dot(tilted, tilted);
+    return length2 > 1e-12 ? tilted * inversesqrt(length2) : n;
+}
+
+Bsdf bsdfAt(uint triangle, vec2 barycentrics, uint material) {
+    const vec3 albedo = albedoAt(triangle, barycentrics, material);
+    if (!kGlossy) return lambertian(albedo);
+    const vec4 roughMetal = texturedBy(materials[material].metallicRoughnessTexture, uvsAt(triangle, barycentrics));
+    return metallicRoughness(albedo, materials[material].metallic * roughMetal.b,
+                             materials[material].roughness * roughMetal.g, materials[material].specular);
 }
 
 // `toViewer` points away from the surface, to where the ray came from; it need not be unit.
@@ -73,14 +176,19 @@ vec3 albedoAt(uint triangle, vec2 barycentrics, Material material) {
 Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
     const TriangleRecord t = loadTriangle(triangle);
     const vec3 counterClockwise = counterClockwiseNormal(t);
-    const vec3 shading = shadingNormalAt(t, barycentrics, counterClockwise);
+    const uint material = triangleMaterials[triangle];
+    vec3 shading = shadingNormalAt(t, barycentrics, counterClockwise);
+    // The map belongs to the front of the surface.
+    shading = dot(shading, counterClockwise) < 0.0 ? -shading : shading;
+    shading = mappedNormal(t, triangle, barycentrics, material, shading);
     Surface surface;
     surface.position = positionAt(t, barycentrics);
     surface.isFrontFacing = dot(counterClockwise, toViewer) > 0.0;
     surface.geometricNormal = surface.isFrontFacing ? counterClockwise : -counterClockwise;
     surface.normal = dot(shading, surface.geometricNormal) < 0.0 ? -shading : shading;
-    surface.material = triangleMaterials[triangle];
-    surface.albedo = albedoAt(triangle, barycentrics, materials[surface.material]);
+    surface.material = material;
+    surface.bsdf = bsdfAt(triangle, barycentrics, material);
+    if (materials[material].isUnlit != 0u) surface.bsdf = lambertian(vec3(0.0));
     return surface;
 }
 

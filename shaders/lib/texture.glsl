@@ -21,16 +21,19 @@ int wrapTexel(int i, int size, uint clampBit, uint mirrorBit, uint mode) {
     return wrapped < size ? wrapped : period - 1 - wrapped;
 }
 
-vec3 texelAt(TextureInfo info, ivec2 texel) {
+vec4 texelAt(TextureInfo info, ivec2 texel) {
     const int x = wrapTexel(texel.x, int(info.width), kTextureClampU, kTextureMirrorU, info.mode);
     const int y = wrapTexel(texel.y, int(info.height), kTextureClampV, kTextureMirrorV, info.mode);
-    return linearFromSrgb(imageLoad(texels, int(info.firstTexel) + y * int(info.width) + x).rgb);
+    const vec4 stored = imageLoad(texels, int(info.firstTexel) + y * int(info.width) + x);
+    return (info.mode & kTextureLinear) != 0u ? stored : vec4(linearFromSrgb(stored.rgb), stored.a);
 }
 
-// Linear colour at uv; texel centres at half-integers.
-vec3 sampleTexture(uint index, vec2 uv) {
+// Linear value at a surface's uvs (xy: the first set, zw: the second); texel centres at half-integers.
+vec4 sampleTexture(uint index, vec4 uvs) {
     const TextureInfo info = textureInfos[index];
     const vec2 size = vec2(info.width, info.height);
+    const vec2 set = (info.mode & kTextureUv1) != 0u ? uvs.zw : uvs.xy;
+    const vec2 uv = mat2(info.uvMatrix.xy, info.uvMatrix.zw) * set + info.uvOffset;
     // fract() first: a uv of thousands would leave no bits for the position inside a texel.
     const vec2 inTile = (info.mode & (kTextureClampU | kTextureMirrorU | kTextureClampV | kTextureMirrorV)) == 0u
                             ? fract(uv) : clamp(uv, vec2(-1e4), vec2(1e4));
@@ -38,8 +41,8 @@ vec3 sampleTexture(uint index, vec2 uv) {
     const vec2 position = inTile * size - 0.5;
     const ivec2 corner = ivec2(floor(position));
     const vec2 weight = position - floor(position);
-    const vec3 top = mix(texelAt(info, corner), texelAt(info, corner + ivec2(1, 0)), weight.x);
-    const vec3 bottom = mix(texelAt(info, corner + ivec2(0, 1)), texelAt(info, corner + ivec2(1, 1)), weight.x);
+    const vec4 top = mix(texelAt(info, corner), texelAt(info, corner + ivec2(1, 0)), weight.x);
+    const vec4 bottom = mix(texelAt(info, corner + ivec2(0, 1)), texelAt(info, corner + ivec2(1, 1)), weight.x);
     return mix(top, bottom, weight.y);
 }
 

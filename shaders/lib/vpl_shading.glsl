@@ -2,6 +2,7 @@
 #ifndef MANYLIGHT_VPL_SHADING_GLSL
 #define MANYLIGHT_VPL_SHADING_GLSL
 #include "shaders/lib/spot.glsl"
+#include "shaders/shared/bsdf.h"
 #include "shaders/shared/lights.h"
 
 // What a receiver needs to know of itself. Both normals are on the viewer's side; light from the other side of the
@@ -10,6 +11,8 @@ struct Receiver {
     vec3 position;
     vec3 normal;
     vec3 geometricNormal;
+    vec3 toViewer;  // unit
+    Bsdf bsdf;
 };
 
 // G(x,y) = cos+ cos+ / d^2, from the unnormalised connection: one division and no root. d^2 of coincident points is 0,

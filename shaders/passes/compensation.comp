@@ -15,8 +15,7 @@ void main() {
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex);
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const GBufferPixel seen = readGBuffer(pixel, true);
-    const vec3 lacking =
-        compensation(seen.receiver, seen.isSurface ? seen.albedo : vec3(0.0), pixelSeed(frame.seed, pixel));
+    const vec3 lacking = compensation(seen.receiver, pixelSeed(frame.seed, pixel));
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
     imageStore(radianceImage, pixel, vec4(imageLoad(radianceImage, pixel).rgb + lacking, 1.0));
 }

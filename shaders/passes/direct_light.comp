@@ -7,7 +7,7 @@
 #include "shaders/lib/shade_lights.glsl"
 #include "shaders/lib/tile.glsl"
 
-layout(constant_id = 4) const bool kAddToRadiance = false;
+layout(constant_id = 12) const bool kAddToRadiance = false;
 
 layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
@@ -19,13 +19,12 @@ void main() {
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const GBufferPixel seen = readGBuffer(pixel, true);
-    const vec3 irradiance =
-        irradianceOfLights(seen.receiver, pixelSeed(frame.seed, pixel), push.firstLight, push.lightCount);
+    const uint seed = pixelSeed(frame.seed, pixel);
+    vec3 radiance = radianceFromSum(seen.receiver, sumOfLights(seen.receiver, seed, push.firstLight, push.lightCount));
+    if (kGlossy && push.showEmission != 0u) radiance += reflectedLights(seen.receiver, seed);
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
 
-    vec3 radiance = seen.albedo * kInvPi * irradiance;
-    if (push.showEmission != 0u)
-        radiance += radianceEmittedTowards(seen.isSurface, seen.triangle, -cameraDirection(pixel));
+    if (push.showEmission != 0u) radiance += emissionSeenBy(pixel, seen.isSurface, seen.triangle);
     if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;
     imageStore(radianceImage, pixel, vec4(radiance, 1.0));
 }

@@ -10,13 +10,15 @@ layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
 layout(set = 0, binding = kBindingVisibility, r32ui) readonly uniform uimage2D visibility;
 layout(set = 0, binding = kBindingGBufferPosition, rgba32ui) writeonly uniform uimage2D gbufferPosition;
 layout(set = 0, binding = kBindingGBufferShading, rgba32ui) writeonly uniform uimage2D gbufferShading;
+layout(set = 0, binding = kBindingGBufferGloss, rgba32ui) writeonly uniform uimage2D gbufferGloss;
 
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const uint seen = imageLoad(visibility, pixel).x;
-    GBufferTexels texels = GBufferTexels(uvec4(0u), uvec4(0u));
+    GBufferTexels texels = GBufferTexels(uvec4(0u), uvec4(0u), uvec4(0u));
     if (seen != 0u) texels = packGBuffer(surfaceOfPixel(seen - 1u, pixel), seen - 1u);
     imageStore(gbufferPosition, pixel, texels.position);
     imageStore(gbufferShading, pixel, texels.shading);
+    if (kGlossy) imageStore(gbufferGloss, pixel, texels.gloss);
 }

@@ -8,8 +8,8 @@
 #include "shaders/lib/tile.glsl"
 #include "shaders/shared/path_trace.h"
 
-layout(constant_id = 2) const bool kResumes = false;   // paths go on from the states of an earlier dispatch
-layout(constant_id = 3) const bool kSuspends = false;  // their states are left for a later one
+layout(constant_id = 10) const bool kResumes = false;   // paths go on from the states of an earlier dispatch
+layout(constant_id = 11) const bool kSuspends = false;  // their states are left for a later one
 
 layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingPathStates, scalar) buffer StateBlock { PathState states[]; };
@@ -18,7 +18,7 @@ layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStat
 layout(push_constant, scalar) uniform Push { PathTracePush push; };
 
 const uint kDimensionPixel = 0u;
-const uint kDimensionsPerSurface = 3u;
+const uint kDimensionsPerSurface = 4u;
 const uint kRouletteFrom = 3u;  // scatterings without it: the first ones make most of the picture
 const float kFar = 8.0;         // no scene is larger than 2
 
@@ -47,15 +47,16 @@ vec3 emissionMet(PathState path, float lightDensity, vec3 radiance) {
 }
 
 vec3 emissionOfSurface(PathState path, Hit hit) {
-    const Material material = materials[triangleMaterials[hit.triangle]];
+    const uint material = triangleMaterials[hit.triangle];
+    if (kEmissionTextured && materials[material].isUnlit != 0u)
+        return path.scatterings == 0u && counts(0u) ? albedoAt(hit.triangle, hit.barycentrics, material) : vec3(0.0);
     const TriangleRecord t = loadTriangle(hit.triangle);
     const float cosLight = -dot(counterClockwiseNormal(t), path.direction);
-    if (cosLight <= 0.0 || material.emittedRadiance == vec3(0.0)) return vec3(0.0);
-    const vec3 corner = uintBitsToFloat(t.corner0.xyz);
-    const float area =
-        0.5 * length(cross(uintBitsToFloat(t.corner1.xyz) - corner, uintBitsToFloat(t.corner2.xyz) - corner));
-    const float density = densityOfEmitterPoint(material.emittedRadiance, max(area, 1e-30), hit.t * hit.t, cosLight);
-    return emissionMet(path, density, material.emittedRadiance);
+    const vec3 radiance = emittedRadianceAt(hit.triangle, hit.barycentrics, material);
+    if (cosLight <= 0.0 || radiance == vec3(0.0)) return vec3(0.0);
+    const float density =
+        densityOfEmitterPoint(materials[material].meanEmission, areaOf(t), hit.t * hit.t, cosLight);
+    return emissionMet(path, density, radiance);
 }
 
 vec3 directLight(PathState path, Surface surface, uint seed, uint dimension) {
@@ -63,8 +64,10 @@ vec3 directLight(PathState path, Surface surface, uint seed, uint dimension) {
     const LightSample light = sampleLight(surface.position, sample2d(frame.frame, seed, dimension).x,
                                           sample2d(frame.frame, seed, dimension + 1u));
     const float cosSurface = max(dot(surface.normal, light.direction), 0.0);
-    const float weight = light.density > 0.0 ? misWeight(light.density, cosSurface * kInvPi) : 1.0;
-    const vec3 radiance = surface.albedo * kInvPi * cosSurface * weight * light.irradiance;
+    const float density = bsdfDensity(surface.bsdf, surface.normal, light.direction, -path.direction);
+    const float weight = light.density > 0.0 ? misWeight(light.density, density) : 1.0;
+    const vec3 reflectance = evaluateBsdf(surface.bsdf, surface.normal, light.direction, -path.direction);
+    const vec3 radiance = reflectance * cosSurface * weight * light.irradiance;
     const bool isBehind = dot(surface.geometricNormal, light.direction) <= 0.0;
     const bool matters = radiance.x + radiance.y + radiance.z > 0.0 && !isBehind;
     const vec3 start = offsetPoint(surface.position, surface.geometricNormal);
@@ -72,18 +75,25 @@ vec3 directLight(PathState path, Surface surface, uint seed, uint dimension) {
     return blocked || isBehind ? vec3(0.0) : path.throughput * radiance;
 }
 
-// The next direction by the cosine, so that albedo is all that is left of reflectance * cosine / density.
+// The next direction by the reflectance; of a Lambertian, by the cosine, so that albedo is all that is left of
+// reflectance * cosine / density.
 PathState scatter(PathState path, Surface surface, uint seed, uint dimension) {
     const float uSurvival = sample2d(frame.frame, seed, dimension).y;
-    const vec3 local = squareToCosineHemisphere(sample2d(frame.frame, seed, dimension + 2u));
-    const float largest = max(surface.albedo.x, max(surface.albedo.y, surface.albedo.z));
-    const bool roulette = push.russianRoulette != 0u && path.scatterings >= kRouletteFrom;
-    const float survival = roulette ? min(largest, 1.0) : 1.0;
+    const vec2 u = sample2d(frame.frame, seed, dimension + 2u);
+    const vec3 outgoing = -path.direction;
+    const float uLobe = kGlossy ? sample2d(frame.frame, seed, dimension + 3u).x : 1.0;
     path.origin = surface.position;
     path.normal = surface.geometricNormal;
-    path.direction = normalize(toWorld(local, surface.normal));
-    path.density = max(dot(path.direction, surface.normal), 0.0) * kInvPi;
-    path.throughput *= surface.albedo / max(survival, 1e-6);
+    path.direction = sampleBsdf(surface.bsdf, surface.normal, outgoing, uLobe, u);
+    path.density = bsdfDensity(surface.bsdf, surface.normal, path.direction, outgoing);
+    vec3 weight = surface.bsdf.diffuse;
+    if (kGlossy && surface.bsdf.f90 > 0.0)
+        weight = evaluateBsdf(surface.bsdf, surface.normal, path.direction, outgoing) *
+                 (max(dot(path.direction, surface.normal), 0.0) / max(path.density, 1e-30));
+    const float largest = largestChannel(weight);
+    const bool roulette = push.russianRoulette != 0u && path.scatterings >= kRouletteFrom;
+    const float survival = roulette ? min(largest, 1.0) : 1.0;
+    path.throughput *= weight / max(survival, 1e-6);
     path.scatterings += 1u;
     // Nothing is scattered to the other side of the surface, whatever the shading normal says.
     const bool leaves = path.density > 0.0 && dot(surface.geometricNormal, path.direction) > 0.0;

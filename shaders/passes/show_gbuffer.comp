@@ -21,7 +21,7 @@ vec3 channelOf(GBufferPixel seen) {
     const vec3 fromCamera = seen.receiver.position - frame.cameraPosition;
     switch (push.channel) {
         case kShowNormal: return 0.5 + 0.5 * seen.receiver.normal;
-        case kShowAlbedo: return seen.albedo;
+        case kShowAlbedo: return seen.receiver.bsdf.diffuse + seen.receiver.bsdf.f0;
         case kShowDepth: return vec3(dot(fromCamera, frame.cameraForward) * push.depthScale);
         case kShowPosition: return 0.5 + 0.5 * (seen.receiver.position - frame.sceneCenter) / frame.sceneRadius;
         default: return colourOfNumber(triangleMaterials[seen.triangle]);

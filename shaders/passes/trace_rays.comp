@@ -9,6 +9,9 @@
 
 layout(constant_id = 0) const bool kAnyHit = false;
 
+// Queries know no materials: every triangle is opaque.
+bool letsThrough(uint triangle, vec2 barycentrics, uint ray) { return false; }
+
 layout(local_size_x = kTraceRaysGroupSize) in;
 layout(set = 0, binding = kBindingRayQueries, rgba32f) readonly uniform imageBuffer queries;  // two texels per RayQuery
 // Which of the two views of the answers is used is up to kAnyHit.

@@ -13,6 +13,7 @@ layout(local_size_x = kEmissionGroupSize) in;
 layout(set = 0, binding = kBindingRays, scalar) buffer RayBlock { Ray rays[]; };
 layout(set = 0, binding = kBindingPathOffsets, scalar) buffer PathBlock { uint pathVertexCount[]; };
 layout(set = 0, binding = kBindingPathVertices, scalar) writeonly buffer VertexBlock { LightData pathVertices[]; };
+layout(set = 0, binding = kBindingPathGloss, scalar) writeonly buffer GlossBlock { VplGloss pathGloss[]; };
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { EmissionPush push; };
 
@@ -20,25 +21,24 @@ const uint kDimensionsBeforeBounces = 4u;
 const uint kDimensionsPerBounce = 2u;
 const float kFar = 8.0;  // no scene is larger than 2
 
-float maxChannel(vec3 v) { return max(v.x, max(v.y, v.z)); }
-
 // Light transport is not symmetric in shading normals (Veach 1997, sec. 5.3). A particle that meets a Lambertian
-// surface is weighted by |wi.Ns| / |wi.Ng| and then sees the geometric normal only.
+// surface is weighted by |wi.Ns| / |wi.Ng|; what it sends on goes by the cosine to the geometric normal.
 float shadingNormalCorrection(Surface surface, vec3 wi) {
-    if (!kShadingNormals || surface.normal == surface.geometricNormal) return 1.0;
+    if ((!kShadingNormals && !kNormalMapped) || surface.normal == surface.geometricNormal) return 1.0;
     const float ratio = dot(surface.normal, wi) / max(dot(surface.geometricNormal, wi), 1e-6);
     if (dot(surface.normal, surface.geometricNormal) <= 0.0) return 0.0;
     if (ratio > kMaxShadingNormalCorrection) atomicAdd(status.shadingNormalsCapped, 1u);
     return clamp(ratio, 0.0, kMaxShadingNormalCorrection);
 }
 
-// Radiant intensity along the normal of a Lambertian vertex that reflects `flux`: flux * albedo / pi, over all paths.
+// Radiant intensity along the normal of a vertex that reflects `flux`: flux * albedo / pi, over all paths. On a glossy
+// surface it is what the base alone would give, and metals count as one; shading then asks for the VplGloss.
 LightData vertexOfPath(Surface surface, vec3 flux, uint path, uint depth) {
-    const vec3 spectrum = flux * surface.albedo * (kInvPi / float(frame.pathCount));
+    const vec3 spectrum = flux * (surface.bsdf.diffuse + surface.bsdf.f0) * (kInvPi / float(frame.pathCount));
     LightData vertex;
     vertex.position = surface.position;
     vertex.direction = surface.geometricNormal;
-    vertex.intensity = maxChannel(spectrum);
+    vertex.intensity = largestChannel(spectrum);
     vertex.colour = vertex.intensity > 0.0 ? spectrum / vertex.intensity : vec3(0.0);
     vertex.kind = kLightSurface;
     vertex.cosCutoff = 0.0;
@@ -49,16 +49,41 @@ LightData vertexOfPath(Surface surface, vec3 flux, uint path, uint depth) {
     return vertex;
 }
 
-// q = the largest albedo: a ratio, so that brighter lights change no path. Where all channels are equal the weight
-// stays exactly what it was.
+VplGloss glossOfPath(Surface surface, vec3 flux, vec3 incoming) {
+    return VplGloss(flux / float(frame.pathCount), surface.bsdf.alpha, incoming, surface.bsdf.f90, surface.normal, 0.0,
+                    surface.bsdf.diffuse, 0.0, surface.bsdf.f0, 0.0);
+}
+
+// Where the path goes on, and what it keeps of its flux: reflectance * cosine / density.
+struct Continuation {
+    vec3 direction;
+    vec3 weight;
+};
+
+Continuation continueFrom(Surface surface, vec3 incoming, vec2 u, float uLobe) {
+    Continuation next;
+    if (!kGlossy || surface.bsdf.f90 == 0.0) {
+        next.direction = normalize(toWorld(squareToCosineHemisphere(u), surface.geometricNormal));
+        next.weight = surface.bsdf.diffuse;
+        return next;
+    }
+    next.direction = sampleBsdf(surface.bsdf, surface.normal, incoming, uLobe, u);
+    const float density = bsdfDensity(surface.bsdf, surface.normal, next.direction, incoming);
+    next.weight = evaluateBsdf(surface.bsdf, surface.normal, incoming, next.direction) *
+                  (max(dot(surface.geometricNormal, next.direction), 0.0) / max(density, 1e-30));
+    return next;
+}
+
+// q = the largest share that is kept: a ratio, so that brighter lights change no path. Where all channels are equal the
+// weight stays exactly what it was.
 Ray continuePath(Ray ray, Surface surface, uint index) {
     const uint dimension = kDimensionsBeforeBounces + ray.depth * kDimensionsPerBounce;
-    const float survival = push.russianRoulette != 0u ? min(maxChannel(surface.albedo), 1.0) : 1.0;
-    const float u = sample2d(index, frame.seed, dimension).x;
-    const vec2 uDirection = sample2d(index, frame.seed, dimension + 1u);
-    ray.intensity *= surface.albedo / max(survival, 1e-6);
-    ray.isAlive = u < survival && maxChannel(ray.intensity) > 0.0 ? 1u : 0u;
-    ray.direction = normalize(toWorld(squareToCosineHemisphere(uDirection), surface.geometricNormal));
+    const vec2 u = sample2d(index, frame.seed, dimension);
+    const Continuation next = continueFrom(surface, -ray.direction, sample2d(index, frame.seed, dimension + 1u), u.y);
+    const float survival = push.russianRoulette != 0u ? min(largestChannel(next.weight), 1.0) : 1.0;
+    ray.intensity *= next.weight / max(survival, 1e-6);
+    ray.isAlive = u.x < survival && largestChannel(ray.intensity) > 0.0 ? 1u : 0u;
+    ray.direction = next.direction;
     ray.origin = surface.position;
     ray.normal = surface.geometricNormal;
     ray.depth += 1u;
@@ -78,7 +103,9 @@ Ray bounce(Ray ray, uint slot) {
     ray.intensity *= shadingNormalCorrection(surface, -ray.direction);
     const LightData vertex = vertexOfPath(surface, ray.intensity, path, ray.depth + 1u);
     if (vertex.intensity > 0.0) {
-        pathVertices[ray.depth * push.pathCount + slot] = vertex;
+        const uint place = ray.depth * push.pathCount + slot;
+        pathVertices[place] = vertex;
+        if (kGlossy) pathGloss[place] = glossOfPath(surface, ray.intensity, -ray.direction);
         pathVertexCount[slot] = ray.depth + 1u;
         atomicAdd(status.vplsTraced, 1u);
     }

@@ -9,10 +9,14 @@
 #include "shaders/shared/lights.h"
 #include "shaders/shared/vpl_emission.h"
 
+layout(constant_id = 2) const bool kGlossy = true;  // as in surface.glsl
+
 layout(local_size_x = kEmissionGroupSize) in;
 layout(set = 0, binding = kBindingPathOffsets, scalar) readonly buffer PathBlock { uint pathOffsets[]; };
 layout(set = 0, binding = kBindingPathVertices, scalar) readonly buffer VertexBlock { LightData pathVertices[]; };
 layout(set = 0, binding = kBindingVpls, scalar) writeonly buffer VplBlock { LightData vpls[]; };
+layout(set = 0, binding = kBindingPathGloss, scalar) readonly buffer PathGlossBlock { VplGloss pathGloss[]; };
+layout(set = 0, binding = kBindingVplGloss, scalar) writeonly buffer VplGlossBlock { VplGloss vplGloss[]; };
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { EmissionPush push; };
 
@@ -47,6 +51,8 @@ void main() {
     const uint vertexCount = pathOffsets[push.pathCount];
     const uint taken = min(vertexCount, push.vplCount);
     LightData vpl = darkVpl();
+    VplGloss gloss = VplGloss(vec3(0.0), 1.0, vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0,
+                              vec3(0.0), 0.0);
     if (i < taken) {
         uint vertex = i;
         if (vertexCount > push.vplCount) {
@@ -54,9 +60,16 @@ void main() {
             vertex = dividedProduct(i, vertexCount, sampleInteger(key, vertexCount), push.vplCount);
         }
         const uint path = pathOfVertex(vertex);
-        vpl = pathVertices[(vertex - pathOffsets[path]) * push.pathCount + path];
-        vpl.intensity *= float(vertexCount) / float(taken);
+        const uint place = (vertex - pathOffsets[path]) * push.pathCount + path;
+        const float weight = float(vertexCount) / float(taken);
+        vpl = pathVertices[place];
+        vpl.intensity *= weight;
+        if (kGlossy) {
+            gloss = pathGloss[place];
+            gloss.flux *= weight;
+        }
     }
     vpls[push.firstVpl + i] = vpl;
+    if (kGlossy) vplGloss[push.firstVpl + i] = gloss;
     if (i == 0u) atomicAdd(status.vplsShaded, taken);
 }

@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
-#include "shaders/lib/emitters.glsl"
+#include "shaders/lib/emitter_radiance.glsl"
 #include "shaders/shared/vpl_emission.h"
 
 layout(local_size_x = kEmissionGroupSize) in;
@@ -24,7 +24,8 @@ Ray emitFrom(Emitter emitter, vec2 uPosition, vec2 uDirection) {
         ray.normal = normalOfTriangle(emitter);
         ray.origin = pointOnTriangle(emitter, uPosition);
         ray.direction = normalize(toWorld(squareToCosineHemisphere(uDirection), ray.normal));
-        ray.intensity = weight * (kPi * emitter.area);  // cos cancels: p_A = 1/A, p_w = cos/pi
+        const vec3 radiance = radianceOfTriangle(emitter, uPosition);
+        ray.intensity = radiance / emitter.probability * (kPi * emitter.area);  // cos cancels: p_A = 1/A, p_w = cos/pi
     } else if (emitter.kind == kEmitterPoint || emitter.kind == kEmitterSpot) {
         const float cosCone = emitter.kind == kEmitterSpot ? emitter.cosCutoff : -1.0;
         const vec3 axis = emitter.kind == kEmitterSpot ? emitter.edge1 : vec3(0.0, 0.0, 1.0);

@@ -6,10 +6,10 @@
 #include "shaders/lib/vpl_list_shuffle.glsl"
 #include "shaders/lib/tile.glsl"
 
-layout(constant_id = 5) const uint kReceivers = 4u;  // pixels per invocation, one above the other
+layout(constant_id = 13) const uint kReceivers = 4u;  // pixels per invocation, one above the other
 #include "shaders/lib/shade_vpls.glsl"
 
-layout(constant_id = 4) const bool kAddToRadiance = false;
+layout(constant_id = 12) const bool kAddToRadiance = false;
 
 layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
@@ -20,19 +20,16 @@ void main() {
     const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight * kReceivers);
     const ivec2 first = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     Receiver receivers[kReceivers];
-    vec3 albedo[kReceivers];
-    vec3 irradiance[kReceivers];
+    vec3 sums[kReceivers];
     for (uint r = 0u; r < kReceivers; ++r) {
-        const GBufferPixel seen = readGBuffer(first + ivec2(0, r * kVplTileHeight), false);
-        receivers[r] = seen.receiver;
-        albedo[r] = seen.albedo;
-        irradiance[r] = vec3(0.0);
+        receivers[r] = readGBuffer(first + ivec2(0, r * kVplTileHeight), false).receiver;
+        sums[r] = vec3(0.0);
     }
-    shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, irradiance);
+    shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, sums);
     for (uint r = 0u; r < kReceivers; ++r) {
         const ivec2 pixel = first + ivec2(0, r * kVplTileHeight);
         if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) continue;
-        vec3 radiance = albedo[r] * kInvPi * irradiance[r];
+        vec3 radiance = radianceFromSum(receivers[r], sums[r]);
         if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;
         imageStore(radianceImage, pixel, vec4(radiance, 1.0));
     }

@@ -9,7 +9,7 @@
 const uint kReceivers = 1u;
 #include "shaders/lib/shade_vpls.glsl"
 
-layout(constant_id = 4) const bool kAddToRadiance = false;
+layout(constant_id = 12) const bool kAddToRadiance = false;
 
 layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
@@ -20,14 +20,13 @@ void main() {
     // No early return: every lane holds a VPL for the others.
     const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
-    const GBufferPixel seen = readGBuffer(pixel, true);
-    Receiver receivers[kReceivers] = {seen.receiver};
-    vec3 irradiance[kReceivers] = {vec3(0.0)};
-    shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, irradiance);
+    Receiver receivers[kReceivers] = {readGBuffer(pixel, true).receiver};
+    vec3 sums[kReceivers] = {vec3(0.0)};
+    shadeVpls(receivers, push.firstVpl, push.vplCount, frame.geometryBound, sums);
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
 
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
-    vec3 radiance = seen.albedo * kInvPi * irradiance[0];
+    vec3 radiance = radianceFromSum(receivers[0], sums[0]);
     if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;
     imageStore(radianceImage, pixel, vec4(radiance, 1.0));
 }

@@ -9,7 +9,7 @@ MANYLIGHT_CONSTANT(int, kBindingFrame, 0);              // uniform: FrameConstan
 MANYLIGHT_CONSTANT(int, kBindingBvhNodes, 1);           // storage texel buffer, RGBA32_UINT: three texels per BvhNode
 MANYLIGHT_CONSTANT(int, kBindingTriangles, 2);          // storage texel buffer, RGBA32_UINT: three texels per triangle
 MANYLIGHT_CONSTANT(int, kBindingTriangleMaterials, 3);  // storage: uint per triangle
-MANYLIGHT_CONSTANT(int, kBindingTriangleUvs, 4);        // storage: three vec2 per triangle
+MANYLIGHT_CONSTANT(int, kBindingTriangleUvs, 4);        // storage: kUvSets vec2 per corner of a triangle
 MANYLIGHT_CONSTANT(int, kBindingMaterials, 5);          // storage: Material
 MANYLIGHT_CONSTANT(int, kBindingTextureInfos, 6);       // storage: TextureInfo
 MANYLIGHT_CONSTANT(int, kBindingTexels, 7);             // storage texel buffer, RGBA8_UNORM
@@ -31,6 +31,10 @@ MANYLIGHT_CONSTANT(int, kBindingRayQueries, 22);        // storage texel buffer,
 MANYLIGHT_CONSTANT(int, kBindingRayAnswers, 23);        // storage: RayHit or a uint flag per RayQuery
 MANYLIGHT_CONSTANT(int, kBindingRoundingError, 24);     // image RGBA32F: what the sum over frames lost by rounding
 MANYLIGHT_CONSTANT(int, kBindingSquaredDeviations, 25); // image RGBA32F: from the mean, summed over frames
+MANYLIGHT_CONSTANT(int, kBindingTriangleColours, 26);   // storage: three RGBA16 per triangle
+MANYLIGHT_CONSTANT(int, kBindingPathGloss, 27);         // storage: VplGloss per entry of kBindingPathVertices
+MANYLIGHT_CONSTANT(int, kBindingVplGloss, 28);          // storage, or texel buffer RGBA32F: VplGloss per VPL
+MANYLIGHT_CONSTANT(int, kBindingGBufferGloss, 29);      // image RGBA32_UINT: reflectance at normal incidence, alpha
 
 MANYLIGHT_SHARED_END
 #endif

@@ -31,6 +31,10 @@ struct FrameConstants {
     float emitterPowerShare;
     float emitterEqualShare;
     float environmentProbability;  // that it chooses the environment
+    // The same for the choice among area lights and the environment alone.
+    float areaPowerShare;
+    float areaEqualShare;
+    float areaEnvironmentProbability;
 };
 
 MANYLIGHT_SHARED_END

@@ -37,6 +37,22 @@ struct LightData {
     uint unused;
 };
 
+// What a VPL's surface does with light, for scenes where that depends on directions: the VPL emits
+// flux * f_r(incoming, direction) per unit of projected area.
+struct VplGloss {
+    vec3 flux;      // W, with the correction for shading normals
+    float alpha;    // alpha, f90, diffuse, f0: see bsdf.h
+    vec3 incoming;  // unit, to where the path came from
+    float f90;
+    vec3 normal;    // unit shading normal, on that side
+    float unused0;
+    vec3 diffuse;
+    float unused1;
+    vec3 f0;
+    float unused2;
+};
+MANYLIGHT_CONSTANT(uint, kTexelsPerGloss, 5u);
+
 // As texels of four floats: position and intensity, direction (and kind), colour (and cosCutoff), the rest.
 MANYLIGHT_CONSTANT(uint, kTexelsPerLight, 4u);
 
@@ -60,6 +76,9 @@ struct Emitter {
     float cosCutoff;
     float cosBeam;
     float area;             // of the triangle
+    vec2 unused;
+    uint triangle;          // of the BVH's order
+    uint emissionTexture;   // that multiplies `emission`, see material.h
 };
 
 // Counters that passes raise and the host reads after the frame.
@@ -73,6 +92,7 @@ struct FrameStatus {
 
 #ifdef __cplusplus
 static_assert(sizeof(LightData) == 16 * kTexelsPerLight);
+static_assert(sizeof(VplGloss) == 16 * kTexelsPerGloss);
 #endif
 
 MANYLIGHT_SHARED_END

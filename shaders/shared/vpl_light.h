@@ -33,6 +33,7 @@ struct ShadePush {
     uint vplCount;
     uint showEmission;  // the camera sees lights and the environment; set for the first stretch only
     uint firstRow;      // of the band of pixels that a dispatch shades
+    uint firstGloss;    // number in the whole list of the VPL that firstVpl is in the bound one
 };
 
 MANYLIGHT_SHARED_END

@@ -60,8 +60,7 @@ bool toldApart(const PictureSamples& a, const PictureSamples& b) {
 void expectSameMeans(const PictureSamples& a, const PictureSamples& b, double largestError) {
     const Estimate ofA = estimate(a.mean);
     const Estimate ofB = estimate(b.mean);
-    const std::string means =
-        fmt::format("{} +- {} and {} +- {}", ofA.mean, ofA.error, ofB.mean, ofB.error);
+    const std::string means = fmt::format("{} +- {} and {} +- {}", ofA.mean, ofA.error, ofB.mean, ofB.error);
     EXPECT_LT(std::hypot(ofA.error, ofB.error), largestError * ofB.mean)
         << "the samples scatter too much to say anything: " << means;
     const double significance = sidak(kSignificance, kBlocks + 1);

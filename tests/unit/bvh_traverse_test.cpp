@@ -6,6 +6,7 @@
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/bvh_ray.h"
 #include "shaders/shared/ray_offset.h"
+#include "shaders/shared/sobol.h"
 #include "tests/unit/bvh_comb.h"
 #include "tests/unit/bvh_scenes.h"
 
@@ -29,7 +30,10 @@ uvec4 imageLoad(const TexelBuffer& buffer, int index) {
     return buffer.texels[index];
 }
 
+using glm::floatBitsToUint;
+constexpr bool kAlphaTested = false;
 #include "shaders/lib/bvh.glsl"
+bool letsThrough(uint, vec2, uint) { return false; }
 }  // namespace
 }  // namespace manylight::shared
 

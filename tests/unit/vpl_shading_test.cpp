@@ -1,4 +1,5 @@
 // The shader core of all lighting, compiled as C++: closed forms to float rounding.
+#include "shaders/shared/bsdf.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/lights.h"
 
@@ -41,8 +42,10 @@ class Directions {
     std::normal_distribution<double> normal_;
 };
 
+Receiver receiverAt(glm::vec3 position, glm::vec3 normal) { return {position, normal, normal, normal, {}}; }
+
 /// A point of a sphere of that radius around the origin, seen from inside.
-Receiver receiverOnSphere(glm::vec3 direction, float radius) { return {radius * direction, -direction, -direction}; }
+Receiver receiverOnSphere(glm::vec3 direction, float radius) { return receiverAt(radius * direction, -direction); }
 
 LightData surfaceLight(glm::vec3 position, glm::vec3 normal, float intensity) {
     LightData light{};
@@ -93,7 +96,7 @@ TEST(VplShading, AnyVplSetInASphereGivesTheExactIrradiance) {
 TEST(VplShading, LightOnTheReceiverItselfGivesZero) {
     const glm::vec3 at(0.3f, -0.2f, 0.7f);
     const glm::vec3 normal(0, 1, 0);
-    const Receiver receiver{at, normal, normal};
+    const Receiver receiver = receiverAt(at, normal);
     EXPECT_EQ(shared::irradianceOfVpl(receiver, surfaceLight(at, normal, 5.0f), kNoBound), glm::vec3(0.0f));
     EXPECT_EQ(shared::irradianceOfVpl(receiver, surfaceLight(at, -normal, 5.0f), kNoBound), glm::vec3(0.0f));
     EXPECT_EQ(shared::irradianceOfLight(receiver, surfaceLight(at, -normal, 5.0f)), glm::vec3(0.0f));
@@ -108,7 +111,7 @@ TEST(VplShading, LightOnTheReceiverItselfGivesZero) {
 
 TEST(VplShading, ClosePairsStayFinite) {
     const glm::vec3 normal(0, 1, 0);
-    const Receiver receiver{glm::vec3(0.0f), normal, normal};
+    const Receiver receiver = receiverAt(glm::vec3(0.0f), normal);
     for (int exponent = -1; exponent >= -60; --exponent) {
         const float d = std::ldexp(1.0f, exponent);
         const glm::vec3 e = shared::irradianceOfVpl(receiver, surfaceLight({0, d, 0}, -normal, 1e-3f), kNoBound);
@@ -122,7 +125,7 @@ TEST(VplShading, ClosePairsStayFinite) {
 
 TEST(VplShading, BackSidesNeitherShineNorReceive) {
     const glm::vec3 up(0, 1, 0);
-    const Receiver receiver{glm::vec3(0.0f), up, up};
+    const Receiver receiver = receiverAt(glm::vec3(0.0f), up);
     EXPECT_GT(shared::irradianceOfVpl(receiver, surfaceLight({0.1f, 1, 0}, -up, 1.0f), kNoBound).x, 0.0f);
     EXPECT_EQ(shared::irradianceOfVpl(receiver, surfaceLight({0.1f, 1, 0}, up, 1.0f), kNoBound).x, 0.0f);
     EXPECT_EQ(shared::irradianceOfVpl(receiver, surfaceLight({0.1f, -1, 0}, up, 1.0f), kNoBound).x, 0.0f);
@@ -130,7 +133,7 @@ TEST(VplShading, BackSidesNeitherShineNorReceive) {
 
 TEST(VplShading, WhatTheBoundLeavesAndWhatItCutsOffMakeTheWhole) {
     const glm::vec3 up(0, 1, 0);
-    const Receiver receiver{glm::vec3(0.0f), up, up};
+    const Receiver receiver = receiverAt(glm::vec3(0.0f), up);
     for (const float height : {0.01f, 0.5f, 3.0f}) {
         const LightData vpl = surfaceLight({0.2f, height, -0.1f}, -up, 1.5f);
         const glm::vec3 whole = shared::irradianceOfVpl(receiver, vpl, kNoBound);
@@ -145,7 +148,7 @@ TEST(VplShading, WhatTheBoundLeavesAndWhatItCutsOffMakeTheWhole) {
 
 TEST(VplShading, TheBoundCutsTheGeometryTermOfVplsOnly) {
     const glm::vec3 up(0, 1, 0);
-    const Receiver receiver{glm::vec3(0.0f), up, up};
+    const Receiver receiver = receiverAt(glm::vec3(0.0f), up);
     const LightData near = surfaceLight({0, 0.1f, 0}, -up, 2.0f);  // G = 100
     EXPECT_NEAR(shared::irradianceOfVpl(receiver, near, 30.0f).x, 60.0f, 1e-4f);
     EXPECT_NEAR(shared::irradianceOfVpl(receiver, near, 1000.0f).x, 200.0f, 1e-2f);
@@ -154,7 +157,7 @@ TEST(VplShading, TheBoundCutsTheGeometryTermOfVplsOnly) {
 
 TEST(VplShading, PointAndDirectionalLight) {
     const glm::vec3 up(0, 1, 0);
-    const Receiver receiver{glm::vec3(0.0f), up, up};
+    const Receiver receiver = receiverAt(glm::vec3(0.0f), up);
     LightData light = surfaceLight({3, 4, 0}, {1, 0, 0}, 10.0f);
     light.kind = shared::kLightPoint;
     EXPECT_NEAR(shared::irradianceOfLight(receiver, light).x, 10.0f * 4.0f / 125.0f, 1e-6f);

@@ -1,0 +1,13 @@
+// What an emissive triangle emits, point by point.
+#ifndef MANYLIGHT_EMITTER_RADIANCE_GLSL
+#define MANYLIGHT_EMITTER_RADIANCE_GLSL
+#include "shaders/lib/emitters.glsl"
+#include "shaders/lib/surface.glsl"
+
+// Radiance that leaves pointOnTriangle(emitter, u).
+vec3 radianceOfTriangle(Emitter emitter, vec2 u) {
+    if (!kEmissionTextured || emitter.emissionTexture == kNoTexture) return emitter.emission;
+    return emitter.emission * sampleTexture(emitter.emissionTexture, uvsAt(emitter.triangle, squareToTriangle(u))).rgb;
+}
+
+#endif
