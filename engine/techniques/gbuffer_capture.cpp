@@ -35,7 +35,7 @@ GBufferImage captureGBuffer(Renderer& renderer, const Scene& scene) {
     renderer.executor().dumpAfter("gbuffer");
     const Execution execution = renderer.renderFrame();
     renderer.executor().dumpAfter("");
-    MANYLIGHT_CHECK(execution.dumped.size() == 2u, "images of pass gbuffer");
+    MANYLIGHT_CHECK(execution.dumped.size() == 3u, "images of pass gbuffer");
 
     const std::vector<uint32_t>& order = renderer.gpuScene().triangleOrder;
     GBufferImage image;
@@ -54,6 +54,10 @@ GBufferImage captureGBuffer(Renderer& renderer, const Scene& scene) {
                           std::bit_cast<float>(position[2])};
         texel.normal = unpackNormal(std::bit_cast<float>(shading[0]), std::bit_cast<float>(shading[1]));
         texel.albedo = unpackAlbedo(shading[2], shading[3]);
+        if (!renderer.plan().glossy) continue;
+        float gloss[4];
+        std::memcpy(gloss, execution.dumped[2].bytes.data() + pixel * sizeof(gloss), sizeof(gloss));
+        texel.albedo += glm::vec3(gloss[0], gloss[1], gloss[2]);
     }
     return image;
 }

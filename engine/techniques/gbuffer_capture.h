@@ -13,7 +13,7 @@ struct GBufferTexel {
     uint32_t material = 0;
     glm::vec3 position{0.0f};  // normalised frame
     glm::vec3 normal{0.0f};
-    glm::vec3 albedo{0.0f};
+    glm::vec3 albedo{0.0f};  // of the diffuse base, plus the reflectance at normal incidence of what is above it
 };
 
 /// Row by row from the top; settings().width * settings().height texels.

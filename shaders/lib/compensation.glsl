@@ -16,11 +16,13 @@ const uint kMostCompensations = 64u;  // one after the other; each needs a surfa
 const uint kDimensionCompensation = 0x20000u;
 const uint kDimensionsPerCompensation = 8u;
 
-// What y reflects of `irradiance` and the bound takes from the connection that has `product` without y's reflectance.
-vec3 summandCutOff(Receiver y, vec3 irradiance, vec3 toLight, float product) {
-    if (!kGlossy) return irradiance;
-    const vec3 reflectance = evaluateBsdf(y.bsdf, y.normal, toLight, y.toViewer);
-    return irradiance * reflectance * (1.0 - shareWithin(frame.geometryBound, product * peak(reflectance)));
+// Share of a connection that the bound cuts off; `product` is the geometry term times the peaks of both reflectances.
+float shareCutOff(float product) { return product > frame.geometryBound ? 1.0 - frame.geometryBound / product : 0.0; }
+
+// What y reflects of light from `toLight`, of which the bound takes a share that a glossy y has a say in; `product` is
+// without y's peak.
+vec3 cutOffAtY(Receiver y, vec3 summand, vec3 toLight, float product) {
+    return isGlossy(y.bsdf.f90) ? summand * shareCutOff(product * peakTowards(y, toLight)) : summand;
 }
 
 // One or more emitters by their power, from the lights of direct light: an estimate of all of them.
@@ -34,17 +36,17 @@ vec3 sumOfEmitters(Receiver y, float product, uint seed, uint dimension) {
         LightData light = deltaLight(emitter);
         if (isArea) light = sampleOfEmitter(emitter, sample2d(index, seed, dimension + 1u), weight);
         else light.intensity *= weight;
-        sum += arriving(summandCutOff(y, irradianceOfLight(y, light), directionTo(light, y), product), y, light);
+        const vec3 direction = directionTo(light, y);
+        const vec3 reflected = summand(y, irradianceOfLight(y, light), direction);
+        sum += arriving(cutOffAtY(y, reflected, direction, product), y, light);
     }
     return sum;
 }
 
 vec3 summandOfVpl(Receiver y, LightData vpl, uint i, float product) {
     if (!kGlossy) return irradianceOfVpl(y, vpl, frame.geometryBound);
-    const vec3 direction = directionTo(vpl, y);
-    const vec3 reflectance = evaluateBsdf(y.bsdf, y.normal, direction, y.toViewer);
-    return radianceOfGlossyVpl(y, vpl, loadGloss(i), frame.geometryBound, false) *
-           (1.0 - shareWithin(frame.geometryBound, product * peak(reflectance)));
+    const vec3 reflected = summandOfGlossyVpl(y, vpl, loadGloss(i), frame.geometryBound, false);
+    return cutOffAtY(y, reflected, directionTo(vpl, y), product);
 }
 
 // A stratified few of the VPLs, bounded as everywhere. `room`: the bounces that y and those before it leave a VPL.
@@ -61,26 +63,27 @@ vec3 sumOfVpls(Receiver y, float product, uint room, uint seed, uint dimension) 
     return sum;
 }
 
-// A direction from x, and reflectance * cosine / density there.
+// A direction from x, reflectance * cosine / density there, and the reflectance's peak.
 struct Continuation {
     vec3 direction;
     vec3 weight;
-    vec3 reflectance;
+    float peak;
 };
 
 Continuation continueFrom(Receiver x, uint seed, uint dimension) {
     Continuation next;
     const vec2 u = sample2d(frame.frame, seed, dimension);
-    if (!kGlossy || x.bsdf.f90 == 0.0) {
+    if (!isGlossy(x.bsdf.f90)) {
         next.direction = normalize(toWorld(squareToCosineHemisphere(u), x.normal));
         next.weight = x.bsdf.diffuse;
-        next.reflectance = kInvPi * x.bsdf.diffuse;
+        next.peak = 1.0;
         return next;
     }
     next.direction = sampleBsdf(x.bsdf, x.normal, x.toViewer, sample2d(frame.frame, seed, dimension + 5u).x, u);
-    next.reflectance = evaluateBsdf(x.bsdf, x.normal, next.direction, x.toViewer);
+    const vec3 reflectance = evaluateBsdf(x.bsdf, x.normal, next.direction, x.toViewer);
     const float density = bsdfDensity(x.bsdf, x.normal, next.direction, x.toViewer);
-    next.weight = next.reflectance * (max(dot(x.normal, next.direction), 0.0) / max(density, 1e-30));
+    next.peak = peak(reflectance);
+    next.weight = reflectance * (max(dot(x.normal, next.direction), 0.0) / max(density, 1e-30));
     return next;
 }
 
@@ -90,13 +93,13 @@ vec3 compensation(Receiver x, uint seed) {
     const uint bounces = min(frame.bounceCount, kMostCompensations);
     vec3 radiance = vec3(0.0);
     vec3 throughput = vec3(1.0);
-    float product = 0.0;  // of the last connection; nothing was connected yet
+    float product = 0.0;  // of the last connection, if its share is not known yet
     for (uint bounce = 1u; bounce <= bounces; ++bounce) {
         const uint dimension = kDimensionCompensation + bounce * kDimensionsPerCompensation;
         const Continuation next = continueFrom(x, seed, dimension);
         throughput *= next.weight;
-        // What is cut at x depends on where x sends the light on from, which is known by now only.
-        if (kGlossy && bounce > 1u) throughput *= 1.0 - shareWithin(bound, product * peak(next.reflectance));
+        // What was cut off the light of a glossy x depends on where that came from.
+        if (bounce > 1u && isGlossy(x.bsdf.f90)) throughput *= shareCutOff(product * next.peak);
         const float cosine = max(dot(next.direction, x.normal), 0.0);
         const float shortReach = min(sqrt(cosine / max(bound, 1e-30)), kBeyondTheScene);
         const float reach = kGlossy ? kBeyondTheScene : shortReach;
@@ -106,10 +109,11 @@ vec3 compensation(Receiver x, uint seed) {
         if (hit.triangle == kNoHit) break;
         const Receiver y = receiverOf(surfaceAt(hit.triangle, hit.barycentrics, -next.direction), -next.direction);
         const float g = geometryTerm(x.normal, y.geometricNormal, y.position - x.position);
-        product = kGlossy ? g * peak(next.reflectance) : g;
-        // A Lambertian y has no peak that could lift the product above the bound.
-        if (product <= bound && (!kGlossy || y.bsdf.f90 == 0.0)) break;
-        if (!kGlossy) throughput *= 1.0 - bound / g;
+        product = g * next.peak;
+        if (!isGlossy(y.bsdf.f90)) {
+            if (product <= bound) break;
+            throughput *= shareCutOff(product);
+        }
 
         const vec3 sum = sumOfEmitters(y, product, seed, dimension + 1u) +
                          sumOfVpls(y, product, frame.bounceCount - bounce, seed, dimension + 3u);

@@ -20,18 +20,18 @@ vec3 reflectanceOfVpl(VplGloss vpl, vec3 outgoing) {
     return evaluateBsdf(Bsdf(vpl.diffuse, vpl.alpha, vpl.f0, vpl.f90), vpl.normal, vpl.incoming, outgoing);
 }
 
-// Share of a connection that the bound leaves; `product` is the geometry term times the peaks of both reflectances.
-float shareWithin(float bound, float product) { return product > bound ? bound / product : 1.0; }
-
-// Radiance towards the viewer, without visibility: flux f_y f_x G, of which the bound leaves its share, or cuts it off.
-vec3 radianceOfGlossyVpl(Receiver x, LightData vpl, VplGloss y, float bound, bool cutOff) {
+// What the loop over VPLs sums, without visibility: flux f_y G and, of a glossy x, f_x. Of G times the peaks of both
+// reflectances the bound is left, or what it cuts off. Between Lambertians this is irradianceOfVpl(), bit for bit.
+vec3 summandOfGlossyVpl(Receiver x, LightData vpl, VplGloss y, float bound, bool cutOff) {
     const vec3 toVpl = vpl.position - x.position;
     const vec3 direction = toVpl * inversesqrt(max(dot(toVpl, toVpl), 1e-30));
     const float g = geometryTerm(x.normal, vpl.direction, toVpl);
-    const vec3 fx = evaluateBsdf(x.bsdf, x.normal, direction, x.toViewer);
     const vec3 fy = reflectanceOfVpl(y, -direction);
-    const float share = shareWithin(bound, g * peak(fx) * peak(fy));
-    return (g * (cutOff ? 1.0 - share : share)) * (y.flux * fy * fx);
+    const bool isLambertian = !isGlossy(y.f90);
+    const float limit = bound / (peakTowards(x, direction) * (isLambertian ? 1.0 : peak(fy)));
+    const float part = cutOff ? max(g - limit, 0.0) : min(g, limit);
+    const vec3 irradiance = isLambertian ? (vpl.intensity * part) * vpl.colour : part * (y.flux * fy);
+    return summand(x, irradiance, direction);
 }
 
 #endif

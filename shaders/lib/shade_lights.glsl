@@ -20,7 +20,7 @@ vec3 summandOfLight(Receiver receiver, LightData light, float share) {
 // the sample counts for its share.
 vec3 summandOfArea(Receiver receiver, AreaSample area) {
     float share = 1.0;
-    if (kGlossy && kCastShadows && receiver.bsdf.f90 > 0.0) {
+    if (kCastShadows && isGlossy(receiver.bsdf.f90)) {
         const vec3 direction = directionTo(area.light, receiver);
         const float density = bsdfDensity(receiver.bsdf, receiver.normal, direction, receiver.toViewer);
         share = shareOfLightSample(densityOfSample(area, receiver.position), density);

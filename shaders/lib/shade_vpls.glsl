@@ -9,7 +9,7 @@ layout(constant_id = 14) const bool kCutOff = false;
 
 // VPL i of the loaded block.
 vec3 shareOfVpl(Receiver receiver, LightData vpl, uint i, float bound) {
-    if (kGlossy) return radianceOfGlossyVpl(receiver, vpl, glossOfBlock(i), bound, kCutOff);
+    if (kGlossy) return summandOfGlossyVpl(receiver, vpl, glossOfBlock(i), bound, kCutOff);
     return kCutOff ? irradianceCutOff(receiver, vpl, bound) : irradianceOfVpl(receiver, vpl, bound);
 }
 
