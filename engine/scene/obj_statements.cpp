@@ -8,8 +8,9 @@
 #include <limits>
 #include <unordered_map>
 
-// tinyobjloader reads our MTL files, but not these: it rounds decimal numbers inexactly (a file in another unit would
-// give another picture), takes "nan" and garbage for zero without a word, and tells no line numbers.
+// OBJ and MTL are parsed here and in mtl.cpp because tinyobjloader rounds decimal numbers inexactly (a file in another
+// unit would give another picture), takes "nan" and garbage for zero without a word, tells no line numbers and not which
+// statements a material has.
 
 namespace manylight {
 namespace {
