@@ -17,10 +17,10 @@ struct Option {
     size_t mostWords;  // those past the least are taken while they are numbers
 };
 
-constexpr Option kOptions[] = {{"-o", 1, 3},      {"-s", 1, 3},       {"-t", 1, 3},  {"-bm", 1, 1},
-                               {"-clamp", 1, 1},  {"-imfchan", 1, 1}, {"-mm", 2, 2}, {"-blendu", 1, 1},
-                               {"-blendv", 1, 1}, {"-boost", 1, 1},   {"-cc", 1, 1}, {"-texres", 1, 1},
-                               {"-type", 1, 1}};
+constexpr Option kOptions[] = {{"-o", 1, 3},      {"-s", 1, 3},         {"-t", 1, 3},  {"-bm", 1, 1},
+                               {"-clamp", 1, 1},  {"-imfchan", 1, 1},   {"-mm", 2, 2}, {"-blendu", 1, 1},
+                               {"-blendv", 1, 1}, {"-boost", 1, 1},     {"-cc", 1, 1}, {"-texres", 1, 1},
+                               {"-type", 1, 1},   {"-colorspace", 1, 1}};
 
 constexpr std::string_view kNoNumber = "texture options ignored: no finite number";
 

@@ -58,7 +58,7 @@ void openLibraries(const fs::path& folder, const std::string& line, std::vector<
     }
 }
 
-/// GGX's alpha from Phong's exponent by their equal curvature at the peak (Walter 2007), as perceptual roughness.
+/// Perceptual roughness of Phong's exponent: Beckmann's alpha of equal width (Walter2007), taken as GGX's.
 double roughnessOf(double exponent) { return std::sqrt(std::sqrt(2.0 / (exponent + 2.0))); }
 
 bool asksForReflection(const MtlMaterial& source) { return source.illumination && *source.illumination >= 3; }

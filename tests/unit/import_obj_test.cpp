@@ -90,6 +90,18 @@ TEST_F(ObjImport, CornersWithDifferentNormalsAreDifferentVertices) {
     EXPECT_EQ(cornerOf(scene, 0, 0).uv, glm::vec2(0.25f, 0.75f));
 }
 
+TEST_F(ObjImport, VertexColoursAreDecoded) {
+    const Scene scene = import("a.obj", "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0 1 7 0 0\nv 1 1 0 2\nf 1 2 3\nf 2 4 3\n");
+    EXPECT_EQ(cornerOf(scene, 0, 0).colour, glm::vec4(1.0f));
+    EXPECT_EQ(cornerOf(scene, 0, 1).colour.r, 1.0f);
+    EXPECT_NEAR(cornerOf(scene, 0, 1).colour.g, 0.214f, 1e-3f);  // of sRGB's 0.5
+    EXPECT_EQ(cornerOf(scene, 0, 1).colour.b, 0.0f);
+    EXPECT_EQ(cornerOf(scene, 0, 2).colour, glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(cornerOf(scene, 1, 1).colour, glm::vec4(1.0f));
+    EXPECT_EQ(scene.warnings.count("vertex colours brought into [0, 1]"), 1u);
+    EXPECT_EQ(scene.warnings.entries().at("vertex weights ignored").examples, std::vector<std::string>{"line 4"});
+}
+
 TEST_F(ObjImport, ConcavePolygonKeepsItsAreaAndWinding) {
     // An arrow head that a fan from the first corner would overlap.
     const Scene scene =
