@@ -1,5 +1,7 @@
 #include "engine/scene/gltf_materials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace manylight {
