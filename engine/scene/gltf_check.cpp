@@ -7,9 +7,9 @@
 namespace manylight {
 namespace {
 
-constexpr std::string_view kKnownExtensions[] = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                                 "KHR_texture_transform", "KHR_mesh_quantization",
-                                                 "EXT_mesh_gpu_instancing"};
+constexpr std::string_view kKnownExtensions[] = {
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior",     "KHR_materials_specular",
+    "KHR_materials_unlit", "KHR_texture_transform",           "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"};
 constexpr std::string_view kArrays[] = {"accessors", "animations", "buffers",  "bufferViews",    "cameras",
                                         "images",    "materials",  "meshes",   "nodes",          "samplers",
                                         "scenes",    "skins",      "textures", "extensionsUsed", "extensionsRequired"};
@@ -32,9 +32,8 @@ void checkExtensions(const JsonView& root, Warnings& warnings) {
         for (size_t i = 0; i < root.at(key).size(); ++i) visit(root.at(key).at(i));
     };
     forEachName("extensionsRequired", [](const JsonView& name) {
-        // Other material extensions change how a surface looks; without them it is still drawn, and counted below.
-        const bool isReadable = isKnownExtension(name.text()) || name.text().starts_with("KHR_materials_");
-        if (!isReadable) name.failExpected(fmt::format("KHR_materials_* or {}", fmt::join(kKnownExtensions, ", ")));
+        if (!isKnownExtension(name.text()))
+            name.failExpected(fmt::format("one of {}", fmt::join(kKnownExtensions, ", ")));
     });
     forEachName("extensionsUsed", [&](const JsonView& name) {
         if (!isKnownExtension(name.text())) warnings.add("glTF extensions ignored", name.text());

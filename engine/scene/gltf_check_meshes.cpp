@@ -45,6 +45,11 @@ void checkAttributeFormat(const JsonView& attributes, const std::string& name, c
         attribute.failExpected("an accessor of VEC3, float or small integers");
     if (semantic == "TEXCOORD" && (facts.type != "VEC2" || !isReadable))
         attribute.failExpected("an accessor of VEC2, float or small integers");
+    const bool isColour = semantic == "COLOR" && set == 0;
+    if (isColour && ((facts.type != "VEC3" && facts.type != "VEC4") || !isReadable))
+        attribute.failExpected("an accessor of VEC3 or VEC4, float or small integers");
+    if (isColour && facts.componentType != 5126 && !facts.isNormalised)
+        warnings.add("glTF colours of integers that are not normalised", attribute.path());
     if (facts.componentType == 5125) warnings.add("glTF attributes of 32-bit integers", attribute.path());
     static const std::set<std::string> kPlain = {"POSITION", "NORMAL", "TANGENT"};
     static const std::set<std::string> kIndexed = {"TEXCOORD", "COLOR", "JOINTS", "WEIGHTS"};

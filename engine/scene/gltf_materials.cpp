@@ -1,117 +1,146 @@
 #include "engine/scene/gltf_materials.h"
 
-#include "engine/core/error.h"
-#include "engine/scene/texture_file.h"
+#include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace manylight {
 namespace {
 
-TextureWrap wrapOf(int code, const std::string& place, Warnings& warnings) {
-    switch (code) {
-        case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-            return TextureWrap::ClampToEdge;
-        case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-            return TextureWrap::MirroredRepeat;
-        case TINYGLTF_TEXTURE_WRAP_REPEAT:
-            return TextureWrap::Repeat;
-        default:
-            warnings.add("texture wraps of unknown kind taken as repeat", place);
-            return TextureWrap::Repeat;
-    }
+const Json& partOf(const Json& object, const char* key) {
+    static const Json kEmpty = Json::object();
+    const auto found = object.find(key);
+    return found == object.end() ? kEmpty : *found;
+}
+
+const Json& extensionOf(const Json& material, const char* name) { return partOf(partOf(material, "extensions"), name); }
+
+bool isUnlit(const Json& material) { return partOf(material, "extensions").contains("KHR_materials_unlit"); }
+
+/// Three or four numbers, checked before.
+template <typename Vector>
+Vector numbersOr(const Json& object, const char* key, Vector fallback) {
+    if (object.contains(key))
+        for (int i = 0; i < Vector::length(); ++i) fallback[i] = object[key][static_cast<size_t>(i)].get<double>();
+    return fallback;
+}
+
+/// Reflectance at normal incidence of what is not metal.
+glm::dvec3 specularOf(const Json& material, const std::string& place, Warnings& warnings) {
+    const double ior = extensionOf(material, "KHR_materials_ior").value("ior", 1.5);
+    // The extension gives zero the meaning of infinity.
+    const double root = ior == 0.0 ? 1.0 : (ior - 1.0) / (ior + 1.0);
+    const Json& extension = extensionOf(material, "KHR_materials_specular");
+    if (extension.contains("specularTexture") || extension.contains("specularColorTexture"))
+        warnings.add("textures of KHR_materials_specular left out", place);
+    const glm::dvec3 tint = numbersOr(extension, "specularColorFactor", glm::dvec3(1.0));
+    return glm::min(root * root * tint, 1.0) * extension.value("specularFactor", 1.0);
 }
 
 class MaterialReader {
   public:
     MaterialReader(const GltfFile& gltf, RawScene& scene)
-        : gltf_(gltf), scene_(scene), textures_(scene.textures, scene.warnings) {}
+        : gltf_(gltf), warnings_(scene.warnings), textures_(gltf, scene) {}
 
-    RawMaterial read(const tinygltf::Material& source) {
-        const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
+    RawMaterial read(const Json& source, size_t index) {
+        place_ = fmt::format("materials[{}]", index);
+        sets_ = gltfUvSets(gltf_, static_cast<int>(index));
         RawMaterial material;
-        material.name = source.name;
-        material.albedo = {pbr.baseColorFactor[0], pbr.baseColorFactor[1], pbr.baseColorFactor[2]};
-        material.emittedRadiance = {source.emissiveFactor[0], source.emissiveFactor[1], source.emissiveFactor[2]};
-        material.emittedRadiance *= emissiveStrength(source);
-        if (pbr.baseColorTexture.index >= 0) material.surface.albedoTexture.texture = readTexture(pbr.baseColorTexture.index);
-        if (pbr.metallicFactor > 0.0 || pbr.roughnessFactor < 1.0)
-            scene_.warnings.add("glossy materials drawn diffuse", source.name);
+        if (source.contains("name") && source["name"].is_string()) material.name = source["name"].get<std::string>();
+        readBaseColour(source, material);
+        if (isUnlit(source)) {
+            material.surface.unlit = true;
+            return material;
+        }
+        readReflection(source, material.surface);
+        readEmission(source, material);
         return material;
     }
 
   private:
-    static double emissiveStrength(const tinygltf::Material& source) {
-        const auto found = source.extensions.find("KHR_materials_emissive_strength");
-        if (found == source.extensions.end() || !found->second.Has("emissiveStrength")) return 1.0;
-        return found->second.Get("emissiveStrength").GetNumberAsDouble();
+    TextureUse texture(const Json& owner, const char* key) { return textures_.read(owner, key, sets_, place_); }
+
+    void readBaseColour(const Json& source, RawMaterial& material) {
+        const Json& pbr = partOf(source, "pbrMetallicRoughness");
+        const glm::dvec4 factor = numbersOr(pbr, "baseColorFactor", glm::dvec4(1.0));
+        Material& surface = material.surface;
+        material.albedo = glm::dvec3(factor);
+        surface.albedoTexture = texture(pbr, "baseColorTexture");
+        const std::string mode = source.value("alphaMode", std::string("OPAQUE"));
+        if (mode != "MASK" && mode != "BLEND") return;
+        surface.alphaMode = mode == "MASK" ? AlphaMode::Mask : AlphaMode::Blend;
+        surface.opacity = static_cast<float>(factor.a);
+        surface.opacityTexture = surface.albedoTexture;
+        const double cutoff = source.value("alphaCutoff", 0.5);
+        surface.alphaCutoff = static_cast<float>(std::min(cutoff, 1.0));
+        // A cutoff that nothing reaches hides all of the surface.
+        if (surface.alphaMode == AlphaMode::Mask && cutoff > 1.0) surface.opacity = 0.0f;
     }
 
-    int32_t readTexture(int index) {
-        const tinygltf::Texture& source = gltf_.model.textures.at(static_cast<size_t>(index));
-        const std::string place = fmt::format("textures[{}]", index);
-        if (source.source < 0) {
-            scene_.warnings.add("textures left out: no image of a known kind", place);
-            return kNoTexture;
-        }
-        Texture sampling;
-        sampling.name = fmt::format("images[{}]", source.source);
-        if (source.sampler >= 0) {
-            const tinygltf::Sampler& sampler = gltf_.model.samplers.at(static_cast<size_t>(source.sampler));
-            sampling.wrapU = wrapOf(sampler.wrapS, place, scene_.warnings);
-            sampling.wrapV = wrapOf(sampler.wrapT, place, scene_.warnings);
-            if (sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST) sampling.filter = TextureFilter::Nearest;
-        }
-        return textures_.load(sampling, [&] { return decode(static_cast<size_t>(source.source)); });
+    void readReflection(const Json& source, Material& surface) {
+        const Json& pbr = partOf(source, "pbrMetallicRoughness");
+        surface.metallic = static_cast<float>(pbr.value("metallicFactor", 1.0));
+        surface.roughness = static_cast<float>(pbr.value("roughnessFactor", 1.0));
+        surface.metallicRoughnessTexture = texture(pbr, "metallicRoughnessTexture");
+        surface.specular = glm::vec3(specularOf(source, place_, warnings_));
+        surface.normalTexture = texture(source, "normalTexture");
+        surface.normalScale = static_cast<float>(partOf(source, "normalTexture").value("scale", 1.0));
     }
 
-    EncodedImage decode(size_t index) {
-        const Json& image = gltf_.container.json["images"][index];
-        const std::string name = fmt::format("{}: images[{}]", gltf_.container.file, index);
-        if (image.contains("bufferView")) {
-            const auto [bytes, size] = gltfViewBytes(gltf_, image["bufferView"].get<int>());
-            return readImage8(bytes, size, name);
-        }
-        if (!image.contains("uri")) fail("{}: has neither a uri nor a bufferView", name);
-        const std::vector<uint8_t> bytes = readGltfUri(gltf_.container, image["uri"].get<std::string>());
-        return readImage8(bytes.data(), bytes.size(), name);
+    void readEmission(const Json& source, RawMaterial& material) {
+        const Json& extension = extensionOf(source, "KHR_materials_emissive_strength");
+        material.emittedRadiance =
+            numbersOr(source, "emissiveFactor", glm::dvec3(0.0)) * extension.value("emissiveStrength", 1.0);
+        if (material.emittedRadiance != glm::dvec3(0.0))
+            material.surface.emissionTexture = texture(source, "emissiveTexture");
     }
 
     const GltfFile& gltf_;
-    RawScene& scene_;
-    TextureLoader textures_;
+    Warnings& warnings_;
+    GltfTextures textures_;
+    std::string place_;
+    GltfUvSets sets_{};
 };
-
-glm::dvec2 pairOr(const tinygltf::Value& object, const char* key, glm::dvec2 fallback) {
-    if (!object.Has(key)) return fallback;
-    return {object.Get(key).Get(0).GetNumberAsDouble(), object.Get(key).Get(1).GetNumberAsDouble()};
-}
 
 }  // namespace
 
-GltfTexcoords gltfTexcoords(const tinygltf::Model& model, int material) {
-    GltfTexcoords texcoords;
-    if (material < 0) return texcoords;
-    const tinygltf::TextureInfo& info =
-        model.materials.at(static_cast<size_t>(material)).pbrMetallicRoughness.baseColorTexture;
-    texcoords.set = info.texCoord;
-    const auto found = info.extensions.find("KHR_texture_transform");
-    if (found == info.extensions.end()) return texcoords;
-    const tinygltf::Value& transform = found->second;
-    if (transform.Has("texCoord")) texcoords.set = transform.Get("texCoord").GetNumberAsInt();
-    texcoords.offset = pairOr(transform, "offset", glm::dvec2(0.0));
-    const glm::dvec2 scale = pairOr(transform, "scale", glm::dvec2(1.0));
-    const double angle = transform.Has("rotation") ? transform.Get("rotation").GetNumberAsDouble() : 0.0;
-    // Scale first, then rotate counter-clockwise about the origin in a frame whose v grows downwards.
-    texcoords.linear = {{std::cos(angle) * scale.x, -std::sin(angle) * scale.x},
-                        {std::sin(angle) * scale.y, std::cos(angle) * scale.y}};
-    return texcoords;
+GltfUvSets gltfUvSets(const GltfFile& gltf, int material) {
+    constexpr int kFree = -1;
+    if (material < 0) return {0, 1};
+    const Json& source = gltf.container.json["materials"][static_cast<size_t>(material)];
+    const Json& pbr = partOf(source, "pbrMetallicRoughness");
+    std::vector<int> used;
+    const auto note = [&](const Json& owner, const char* key) {
+        if (!owner.contains(key)) return;
+        const int set = gltfUvSet(owner[key]);
+        if (std::find(used.begin(), used.end(), set) == used.end()) used.push_back(set);
+    };
+    note(pbr, "baseColorTexture");
+    note(source, "emissiveTexture");
+    note(pbr, "metallicRoughnessTexture");
+    note(source, "normalTexture");
+    if (used.size() > 2) used.resize(2);
+
+    // Sets 0 and 1 keep their places; others take what is free.
+    GltfUvSets sets = {kFree, kFree};
+    for (const int set : used)
+        if (set < 2) sets[static_cast<size_t>(set)] = set;
+    for (const int set : used)
+        if (set >= 2) *std::find(sets.begin(), sets.end(), kFree) = set;
+    for (int slot = 0; slot < 2; ++slot)
+        if (sets[static_cast<size_t>(slot)] == kFree) sets[static_cast<size_t>(slot)] = slot;
+    return sets;
 }
 
 void addGltfMaterials(const GltfFile& gltf, RawScene& scene) {
     MaterialReader reader(gltf, scene);
-    for (const tinygltf::Material& source : gltf.model.materials) scene.materials.push_back(reader.read(source));
-    scene.materials.push_back({.name = "default", .albedo = glm::dvec3(1.0)});
+    const Json& materials = partOf(gltf.container.json, "materials");
+    for (size_t i = 0; i < materials.size(); ++i) scene.materials.push_back(reader.read(materials[i], i));
+    // The default is a material with every key left out.
+    RawMaterial byDefault = {.name = "default", .albedo = glm::dvec3(1.0)};
+    byDefault.surface.metallic = 1.0f;
+    byDefault.surface.specular = glm::vec3(0.04f);
+    scene.materials.push_back(byDefault);
 }
 
 }  // namespace manylight

@@ -1,21 +1,18 @@
-// glTF materials and textures.
+// glTF materials.
 #pragma once
 
 #include "engine/scene/gltf_accessor.h"
+#include "engine/scene/gltf_textures.h"
 #include "engine/scene/raw_scene.h"
 
 namespace manylight {
 
-/// Which texture coordinates a material's base colour uses, and KHR_texture_transform: uv' = linear * uv + offset.
-struct GltfTexcoords {
-    int set = 0;
-    glm::dmat2 linear{1.0};
-    glm::dvec2 offset{0.0};
-};
+/// The two sets of texture coordinates that the textures of a material use: 0 and 1 unless they ask for others.
+/// Material -1 is the default one.
+GltfUvSets gltfUvSets(const GltfFile& gltf, int material);
 
-GltfTexcoords gltfTexcoords(const tinygltf::Model& model, int material);
-
-/// Appends one RawMaterial per glTF material and then the default one, so that material -1 is the last.
+/// Appends one RawMaterial per glTF material and then the default one, so that material -1 is the last. Metallic and
+/// roughness as in glTF 2.0; what is not metal reflects 0.04, or as KHR_materials_ior and KHR_materials_specular say.
 void addGltfMaterials(const GltfFile& gltf, RawScene& scene);
 
 }  // namespace manylight

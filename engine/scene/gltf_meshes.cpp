@@ -48,10 +48,9 @@ class PrimitiveReader {
         const auto positions = readAttribute(gltf_, primitive_.attributes, "POSITION");
         if (!positions) return scene_.warnings.add("primitives dropped: no positions", place_);
         if (!primitive_.targets.empty()) scene_.warnings.add("morph targets ignored", place_);
-        if (primitive_.attributes.contains("COLOR_0")) scene_.warnings.add("vertex colours ignored", place_);
+        if (primitive_.attributes.contains("COLOR_1"))
+            scene_.warnings.add("vertex colours beyond the first set ignored", place_);
         const size_t firstVertex = scene_.vertices.size();
-        if (firstVertex + positions->size() / 3 > UINT32_MAX)
-            fail("{}: {}: more than 2^32 vertices", gltf_.container.file, place_);
         addVertices(*positions);
         addTriangles(mode, firstVertex);
     }
@@ -60,9 +59,12 @@ class PrimitiveReader {
     void addVertices(const std::vector<double>& positions) {
         const glm::dmat3 linear(sceneFromNode_);
         const glm::dmat3 normalFromNode = normalMatrix(linear, isMirrored_);
-        const GltfTexcoords texcoords = gltfTexcoords(gltf_.model, primitive_.material);
+        const GltfUvSets sets = gltfUvSets(gltf_, primitive_.material);
         const auto normals = readAttribute(gltf_, primitive_.attributes, "NORMAL");
-        const auto uvs = readAttribute(gltf_, primitive_.attributes, fmt::format("TEXCOORD_{}", texcoords.set));
+        const auto uvs = readAttribute(gltf_, primitive_.attributes, fmt::format("TEXCOORD_{}", sets[0]));
+        const auto uvs1 = readAttribute(gltf_, primitive_.attributes, fmt::format("TEXCOORD_{}", sets[1]));
+        const auto colours = readAttribute(gltf_, primitive_.attributes, "COLOR_0");
+        const size_t colourSize = colours ? colours->size() / (positions.size() / 3) : 0;
         for (size_t i = 0; i < positions.size() / 3; ++i) {
             RawVertex vertex;
             const glm::dvec3 position(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
@@ -71,7 +73,9 @@ class PrimitiveReader {
             if (normals)
                 vertex.normal =
                     normalFromNode * glm::dvec3((*normals)[3 * i], (*normals)[3 * i + 1], (*normals)[3 * i + 2]);
-            if (uvs) vertex.uv = texcoords.linear * glm::dvec2((*uvs)[2 * i], (*uvs)[2 * i + 1]) + texcoords.offset;
+            if (uvs) vertex.uv = {(*uvs)[2 * i], (*uvs)[2 * i + 1]};
+            if (uvs1) vertex.uv1 = {(*uvs1)[2 * i], (*uvs1)[2 * i + 1]};
+            for (size_t c = 0; c < colourSize; ++c) vertex.colour[static_cast<int>(c)] = (*colours)[colourSize * i + c];
             scene_.vertices.push_back(vertex);
         }
     }
@@ -117,6 +121,14 @@ class PrimitiveReader {
 };
 
 }  // namespace
+
+size_t gltfVertexCount(const GltfFile& gltf, int mesh) {
+    size_t count = 0;
+    for (const tinygltf::Primitive& primitive : gltf.model.meshes.at(static_cast<size_t>(mesh)).primitives)
+        if (const auto found = primitive.attributes.find("POSITION"); found != primitive.attributes.end())
+            count += gltf.model.accessors.at(static_cast<size_t>(found->second)).count;
+    return count;
+}
 
 void addGltfMesh(const GltfFile& gltf, int mesh, const glm::dmat4& sceneFromNode, RawScene& scene) {
     const tinygltf::Mesh& source = gltf.model.meshes.at(static_cast<size_t>(mesh));

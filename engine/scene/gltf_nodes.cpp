@@ -6,11 +6,14 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 namespace manylight {
 namespace {
+
+constexpr size_t kMostVertices = size_t{1} << 26;
 
 using Numbers = std::span<const double>;
 
@@ -35,25 +38,36 @@ glm::dmat4 parentFromNode(const tinygltf::Node& node) {
     return matrix;
 }
 
-/// Transforms of EXT_mesh_gpu_instancing, or the identity alone.
-std::vector<glm::dmat4> instancesOf(const GltfFile& gltf, const tinygltf::Node& node) {
+/// The attributes of EXT_mesh_gpu_instancing, or nullptr.
+const tinygltf::Value* instanceAttributes(const tinygltf::Node& node) {
     const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
-    if (found == node.extensions.end()) return {glm::dmat4(1.0)};
-    const tinygltf::Value& attributes = found->second.Get("attributes");
-    const auto read = [&](const char* name) {
-        return attributes.Has(name) ? readGltfNumbers(gltf, attributes.Get(name).GetNumberAsInt())
-                                    : std::vector<double>();
+    return found == node.extensions.end() ? nullptr : &found->second.Get("attributes");
+}
+
+constexpr const char* kInstanceAttributes[] = {"TRANSLATION", "ROTATION", "SCALE"};
+
+size_t instanceCount(const GltfFile& gltf, const tinygltf::Node& node) {
+    const tinygltf::Value* const attributes = instanceAttributes(node);
+    if (!attributes) return 1;
+    for (const char* name : kInstanceAttributes)
+        if (attributes->Has(name))
+            return gltf.model.accessors.at(static_cast<size_t>(attributes->Get(name).GetNumberAsInt())).count;
+    return 0;
+}
+
+/// Transforms of the node's instances, or the identity alone.
+std::vector<glm::dmat4> instancesOf(const GltfFile& gltf, const tinygltf::Node& node) {
+    const tinygltf::Value* const attributes = instanceAttributes(node);
+    if (!attributes) return {glm::dmat4(1.0)};
+    std::array<std::vector<double>, 3> numbers;
+    for (size_t i = 0; i < numbers.size(); ++i)
+        if (attributes->Has(kInstanceAttributes[i]))
+            numbers[i] = readGltfNumbers(gltf, attributes->Get(kInstanceAttributes[i]).GetNumberAsInt());
+    const auto part = [&](size_t attribute, size_t i, size_t size) {
+        return numbers[attribute].empty() ? Numbers() : Numbers(numbers[attribute]).subspan(i * size, size);
     };
-    const std::vector<double> translations = read("TRANSLATION");
-    const std::vector<double> rotations = read("ROTATION");
-    const std::vector<double> scales = read("SCALE");
-    const auto part = [](const std::vector<double>& numbers, size_t i, size_t size) {
-        return numbers.empty() ? Numbers() : Numbers(numbers).subspan(i * size, size);
-    };
-    const size_t count = std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3});
-    std::vector<glm::dmat4> instances;
-    for (size_t i = 0; i < count; ++i)
-        instances.push_back(composed(part(translations, i, 3), part(rotations, i, 4), part(scales, i, 3)));
+    std::vector<glm::dmat4> instances(instanceCount(gltf, node));
+    for (size_t i = 0; i < instances.size(); ++i) instances[i] = composed(part(0, i, 3), part(1, i, 4), part(2, i, 3));
     return instances;
 }
 
@@ -135,13 +149,23 @@ class NodeWalker {
         isVisited_[number] = true;
         const tinygltf::Node& node = gltf_.model.nodes[number];
         const glm::dmat4 sceneFromNode = sceneFromParent * parentFromNode(node);
-        if (node.mesh >= 0)
+        if (node.mesh >= 0) {
+            checkSize(index, node);
             for (const glm::dmat4& nodeFromInstance : instancesOf(gltf_, node))
                 addGltfMesh(gltf_, node.mesh, sceneFromNode * nodeFromInstance, scene_);
+        }
         if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
         if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
             addLight(gltf_, found->second.Get("light").GetNumberAsInt(), sceneFromNode, scene_);
         for (size_t i = node.children.size(); i-- > 0;) stack_.push_back({node.children[i], sceneFromNode});
+    }
+
+    /// A small file may ask for any number of copies of a mesh, or of zeros that need no data.
+    void checkSize(int index, const tinygltf::Node& node) const {
+        const size_t instances = instanceCount(gltf_, node);
+        const size_t room = kMostVertices - std::min(kMostVertices, scene_.vertices.size());
+        if (instances > 0 && std::max<size_t>(gltfVertexCount(gltf_, node.mesh), 1) > room / instances)
+            fail("{}: nodes[{}]: more than {} vertices with all copies", gltf_.container.file, index, kMostVertices);
     }
 
     const GltfFile& gltf_;

@@ -2,39 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace manylight {
 namespace {
-
-constexpr double kLargestFloat = double{std::numeric_limits<float>::max()};
-
-/// Radiance, irradiance or intensity must be finite and at least zero in every channel. Others become zero, counted.
-glm::vec3 repairedEmission(const glm::dvec3& emission, const std::string& name, Warnings& warnings) {
-    glm::vec3 repaired(0.0f);
-    bool isBad = false;
-    for (int channel = 0; channel < 3; ++channel) {
-        const double value = emission[channel];
-        if (value >= 0.0 && value <= kLargestFloat)
-            repaired[channel] = static_cast<float>(value);
-        else
-            isBad = true;
-    }
-    if (isBad) warnings.add("emission channels set to zero: negative, not finite or too large", name);
-    return repaired;
-}
-
-glm::vec3 repairedAlbedo(const RawMaterial& material, Warnings& warnings) {
-    glm::vec3 repaired(0.0f);
-    bool isBad = false;
-    for (int channel = 0; channel < 3; ++channel) {
-        const double value = material.albedo[channel];
-        repaired[channel] = std::isnan(value) ? 0.0f : static_cast<float>(std::clamp(value, 0.0, 1.0));
-        isBad = isBad || !(value >= 0.0 && value <= 1.0);
-    }
-    if (isBad) warnings.add("albedos clamped to [0, 1]", material.name);
-    return repaired;
-}
 
 /// Unit vector, or zero if the direction is zero or not finite.
 glm::dvec3 unitOrZero(const glm::dvec3& v) {
@@ -53,17 +23,6 @@ glm::dvec3 anyPerpendicular(const glm::dvec3& unit) {
 }
 
 }  // namespace
-
-void convertMaterials(const RawScene& raw, Scene& scene) {
-    scene.materials.reserve(raw.materials.size());
-    for (const RawMaterial& source : raw.materials) {
-        Material material = source.surface;
-        material.name = source.name;
-        material.albedo = repairedAlbedo(source, scene.warnings);
-        material.emittedRadiance = repairedEmission(source.emittedRadiance, source.name, scene.warnings);
-        scene.materials.push_back(std::move(material));
-    }
-}
 
 void convertLights(const RawScene& raw, Scene& scene) {
     for (const RawLight& source : raw.lights) {
@@ -85,7 +44,8 @@ void convertLights(const RawScene& raw, Scene& scene) {
         light.cosCutoff = static_cast<float>(source.cosCutoff);
         light.cosBeam = static_cast<float>(source.cosBeam);
         if (light.type == LightType::Spot && light.cosCutoff >= 1.0f)
-            scene.warnings.add("spot lights without light: cutoff narrower than single precision can tell", source.name);
+            scene.warnings.add("spot lights without light: cutoff narrower than single precision can tell",
+                               source.name);
         scene.lights.push_back(std::move(light));
     }
 }

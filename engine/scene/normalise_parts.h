@@ -7,6 +7,9 @@ namespace manylight {
 
 glm::vec3 normalisedPoint(const SceneFrame& frame, const glm::dvec3& point);
 
+/// Radiance, irradiance or intensity must be finite and at least zero in every channel. Others become zero, counted.
+glm::vec3 repairedEmission(const glm::dvec3& emission, const std::string& name, Warnings& warnings);
+
 void convertMaterials(const RawScene& raw, Scene& scene);
 void convertLights(const RawScene& raw, Scene& scene);
 void convertCameras(const RawScene& raw, Scene& scene);

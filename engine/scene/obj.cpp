@@ -2,6 +2,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/image/srgb.h"
 #include "engine/scene/first_seen_index.h"
 #include "engine/scene/obj_materials.h"
 #include "engine/scene/obj_statements.h"
@@ -72,11 +73,21 @@ void addTriangles(ObjStatements& obj, RawScene& scene, CornerIndex& vertices) {
     }
 }
 
+/// Decodes sRGB. What is outside [0, 1] stays there, to be counted with all others.
+glm::dvec3 linearColour(glm::dvec3 colour) {
+    for (int channel = 0; channel < 3; ++channel)
+        if (colour[channel] > 0.0 && colour[channel] < 1.0)
+            colour[channel] = decodeSrgb(static_cast<float>(colour[channel]));
+    return colour;
+}
+
 void addVertices(const ObjStatements& obj, const CornerIndex& vertices, RawScene& scene) {
     scene.vertices.reserve(vertices.keys().size());
     for (const CornerKey& key : vertices.keys()) {
         RawVertex vertex;
         vertex.position = obj.positions[static_cast<size_t>(key.corner.position)];
+        if (!obj.colours.empty())
+            vertex.colour = glm::dvec4(linearColour(obj.colours[static_cast<size_t>(key.corner.position)]), 1.0);
         vertex.hasNormal = key.corner.normal != kNoIndex;
         if (vertex.hasNormal) vertex.normal = obj.normals[static_cast<size_t>(key.corner.normal)];
         if (key.corner.uv != kNoIndex) {

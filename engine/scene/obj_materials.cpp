@@ -1,88 +1,35 @@
 #include "engine/scene/obj_materials.h"
 
 #include "engine/core/file.h"
+#include "engine/scene/mtl.h"
+#include "engine/scene/obj_textures.h"
 #include "engine/scene/text_lines.h"
-#include "engine/scene/texture_file.h"
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
-#include <sstream>
-#include <type_traits>
 
 namespace manylight {
 namespace {
-
-static_assert(std::is_same_v<tinyobj::real_t, double>, "link tinyobjloader_double");
 
 namespace fs = std::filesystem;
 
 struct Library {
     fs::path folder;
-    std::map<std::string, int> numbers;
-    std::vector<tinyobj::material_t> materials;
+    std::map<std::string, MtlMaterial> materials;
 };
 
-/// A path as a file written on any system spells it.
-fs::path portablePath(std::string_view text) {
-    std::string path(trimmed(text));
-    if (path.size() > 1 && path.front() == '"' && path.back() == '"') path = path.substr(1, path.size() - 2);
-    std::replace(path.begin(), path.end(), '\\', '/');
-    return path;
-}
-
-/// The three numbers of "Kd r g b", or "Kd grey". Empty for anything else.
-std::optional<std::array<double, 3>> parseColour(std::string_view rest) {
-    const auto red = parseNumber(takeWord(rest));
-    if (!red) return std::nullopt;
-    const std::string_view second = takeWord(rest);
-    if (second.empty() || second.front() == '#') return std::array{*red, *red, *red};
-    const auto green = parseNumber(second);
-    const auto blue = parseNumber(takeWord(rest));
-    if (!green || !blue) return std::nullopt;
-    return std::array{*red, *green, *blue};
-}
-
-/// Rewrites what tinyobjloader would misread without a word: "Kd 0.5", "Ke nan 0 0", materials without Kd.
-std::string withExplicitColours(std::string_view text, const std::string& file, Warnings& warnings) {
-    std::string result;
-    result.reserve(text.size() + text.size() / 4);
-    TextLines lines(text);
-    while (lines.next()) {
-        std::string_view rest = lines.line();
-        const std::string_view keyword = takeWord(rest);
-        if (keyword == "Kd" || keyword == "Ke") {
-            const std::string place = fmt::format("{} line {}", file, lines.number());
-            auto colour = parseColour(rest);
-            if (!colour) warnings.add("material colours set to zero: not three numbers", place);
-            if (!colour) colour.emplace(std::array{0.0, 0.0, 0.0});
-            for (double& channel : *colour) {
-                if (std::isfinite(channel)) continue;
-                warnings.add("material colours set to zero: not finite", place);
-                channel = 0.0;
-            }
-            result += fmt::format("{} {} {} {}\n", keyword, (*colour)[0], (*colour)[1], (*colour)[2]);
-            continue;
-        }
-        if (keyword == "newmtl")
-            result += fmt::format("newmtl {}\nKd 0.8 0.8 0.8\n", trimmed(rest));
-        else
-            result.append(trimmed(lines.line())) += '\n';
-    }
-    return result;
-}
-
 void openLibrary(const fs::path& path, std::vector<Library>& libraries, Warnings& warnings) {
-    Library library{.folder = path.parent_path(), .numbers = {}, .materials = {}};
-    std::istringstream text(withExplicitColours(readTextFile(path), path.filename().string(), warnings));
-    std::string ignoredWarnings;  // all about dissolve and transmission, which are not read
-    tinyobj::LoadMtl(&library.numbers, &library.materials, &text, &ignoredWarnings, nullptr);
+    Library library{.folder = path.parent_path(), .materials = {}};
+    const std::string file = path.filename().string();
+    for (MtlMaterial& material : parseMtl(readTextFile(path), file, warnings)) {
+        const std::string name = material.name;
+        if (!library.materials.emplace(name, std::move(material)).second)
+            warnings.add("materials defined twice: the first is used", fmt::format("{}: {}", file, name));
+    }
     libraries.push_back(std::move(library));
 }
 
@@ -111,32 +58,75 @@ void openLibraries(const fs::path& folder, const std::string& line, std::vector<
     }
 }
 
-int32_t loadTexture(const fs::path& folder, const tinyobj::material_t& source, TextureLoader& textures,
-                    Warnings& warnings) {
-    if (trimmed(source.diffuse_texname).empty()) return kNoTexture;
-    const fs::path path = folder / portablePath(source.diffuse_texname);
-    const tinyobj::texture_option_t& options = source.diffuse_texopt;
-    const bool isMoved = options.origin_offset[0] != 0 || options.origin_offset[1] != 0 || options.scale[0] != 1 ||
-                         options.scale[1] != 1;
-    if (isMoved) warnings.add("texture offsets and scales ignored", source.name);
-    Texture sampling;
-    sampling.name = path.lexically_normal().string();
-    if (options.clamp) sampling.wrapU = sampling.wrapV = TextureWrap::ClampToEdge;
-    return textures.load(sampling, [&] { return readImage8(path); });
+/// Perceptual roughness of Phong's exponent: Beckmann's alpha of equal width (Walter2007), taken as GGX's.
+double roughnessOf(double exponent) { return std::sqrt(std::sqrt(2.0 / (exponent + 2.0))); }
+
+bool asksForReflection(const MtlMaterial& source) { return source.illumination && *source.illumination >= 3; }
+
+/// A black material with a strong highlight, or with one and a model that reflects: Phong's way to write a metal.
+bool isMetal(const MtlMaterial& source, const RawMaterial& material, double strongest) {
+    const bool isBlack = material.albedo == glm::dvec3(0.0);
+    return isBlack && (strongest > 0.5 || (strongest > 0.0 && asksForReflection(source)));
 }
 
-RawMaterial convert(const Library& library, const tinyobj::material_t& source, TextureLoader& textures,
-                    Warnings& warnings) {
+void convertReflection(const MtlMaterial& source, RawMaterial& material, Warnings& warnings) {
+    constexpr double kSpecularOfFullHighlight = 0.08;  // so that 0.5, which modelling tools write, is glass's 0.04
+    Material& surface = material.surface;
+    const bool isPbr = source.roughness || source.metallic;
+    const bool hasHighlight = isPbr || !source.illumination || *source.illumination >= 2;
+    const glm::dvec3 written = source.highlight.value_or(glm::dvec3(isPbr ? 0.5 : 0.0));
+    const glm::dvec3 highlight = hasHighlight ? glm::clamp(written, 0.0, 1.0) : glm::dvec3(0.0);
+    const double strongest = std::max({highlight.r, highlight.g, highlight.b});
+    if (hasHighlight && highlight != written) warnings.add("highlights clamped to [0, 1]", source.name);
+    if (strongest == 0.0 && !isPbr) return;
+
+    surface.roughness = static_cast<float>(source.roughness.value_or(roughnessOf(source.exponent.value_or(0.0))));
+    if (!isPbr && isMetal(source, material, strongest)) {
+        surface.metallic = 1.0f;
+        surface.albedoTexture = {};  // black times a texture was black
+        material.albedo = highlight;
+        return;
+    }
+    surface.metallic = static_cast<float>(source.metallic.value_or(0.0));
+    surface.specular = glm::vec3(kSpecularOfFullHighlight * highlight);
+}
+
+void convertOpacity(const fs::path& folder, const MtlMaterial& source, ObjTextures& textures, Material& surface) {
+    surface.opacity = static_cast<float>(source.opacity.value_or(1.0));
+    ObjTextures::Coverage coverage;
+    if (source.opacityMap) coverage = textures.coverage(folder, *source.opacityMap);
+    surface.opacityTexture = coverage.use;
+    if (!coverage.use.exists() && surface.opacity == 1.0f) return;
+    const bool isMask = coverage.use.exists() && coverage.isCutout && surface.opacity == 1.0f;
+    surface.alphaMode = isMask ? AlphaMode::Mask : AlphaMode::Blend;
+}
+
+void convertNormals(const fs::path& folder, const MtlMaterial& source, ObjTextures& textures, Material& surface) {
+    if (source.normalMap) {
+        surface.normalTexture = textures.colour(folder, *source.normalMap);
+        surface.normalScale = static_cast<float>(source.normalMap->bumpMultiplier);
+    } else if (source.bumpMap && source.bumpMap->bumpMultiplier != 0.0) {
+        const ObjTextures::Normals normals = textures.bump(folder, *source.bumpMap);
+        surface.normalTexture = normals.use;
+        surface.normalScale = static_cast<float>(normals.scale);
+    }
+}
+
+RawMaterial convert(const fs::path& folder, const MtlMaterial& source, ObjTextures& textures, Warnings& warnings) {
     RawMaterial material;
     material.name = source.name;
-    material.albedo = {source.diffuse[0], source.diffuse[1], source.diffuse[2]};
-    material.emittedRadiance = {source.emission[0], source.emission[1], source.emission[2]};
-    material.surface.albedoTexture.texture = loadTexture(library.folder, source, textures, warnings);
-    if (!source.emissive_texname.empty()) warnings.add("emissive textures ignored", source.name);
-    if (source.dissolve < 1.0 || !source.alpha_texname.empty())
-        warnings.add("transparent materials drawn opaque", source.name);
-    if (source.specular[0] > 0.0 || source.specular[1] > 0.0 || source.specular[2] > 0.0)
-        warnings.add("glossy materials drawn diffuse", source.name);
+    material.albedo = source.diffuse.value_or(glm::dvec3(0.8));
+    // A map alone is as bright as it is drawn.
+    material.emittedRadiance = source.emission.value_or(glm::dvec3(source.emissionMap ? 1.0 : 0.0));
+    Material& surface = material.surface;
+    if (source.diffuseMap) surface.albedoTexture = textures.colour(folder, *source.diffuseMap);
+    if (source.emissionMap && material.emittedRadiance != glm::dvec3(0.0))
+        surface.emissionTexture = textures.colour(folder, *source.emissionMap);
+    convertReflection(source, material, warnings);
+    convertOpacity(folder, source, textures, surface);
+    convertNormals(folder, source, textures, surface);
+    const int model = source.illumination.value_or(0);
+    if (model == 4 || model == 6 || model == 7 || model == 9) warnings.add("refraction left out", source.name);
     return material;
 }
 
@@ -149,13 +139,12 @@ void readObjMaterials(const fs::path& folder, const std::vector<std::string>& li
     for (const std::string& line : libraryLines)
         if (opened.insert(line).second) openLibraries(folder, line, libraries, scene.warnings);
 
-    TextureLoader textures(scene.textures, scene.warnings);
+    ObjTextures textures(scene);
     for (const std::string& name : names) {
         const auto library = std::find_if(libraries.begin(), libraries.end(),
-                                          [&](const Library& candidate) { return candidate.numbers.contains(name); });
+                                          [&](const Library& candidate) { return candidate.materials.contains(name); });
         if (library != libraries.end()) {
-            const auto number = static_cast<size_t>(library->numbers.at(name));
-            scene.materials.push_back(convert(*library, library->materials[number], textures, scene.warnings));
+            scene.materials.push_back(convert(library->folder, library->materials.at(name), textures, scene.warnings));
             continue;
         }
         scene.materials.push_back({.name = name.empty() ? "default" : name});

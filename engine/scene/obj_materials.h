@@ -9,8 +9,9 @@
 
 namespace manylight {
 
-/// Fills `scene.materials` with one material per name, in that order: Kd (grey 0.8 if missing), Ke as radiance, map_Kd
-/// with a path relative to the MTL file. Missing files and undefined materials are counted and leave the default.
+/// Fills `scene.materials` with one material per name, in that order; paths are relative to the MTL file. Missing files
+/// and undefined materials are counted and leave a grey Lambertian of 0.8. How MTL's Phong model becomes a Material is
+/// told in docs/scenes.md.
 void readObjMaterials(const std::filesystem::path& folder, const std::vector<std::string>& libraries,
                       const std::vector<std::string>& names, RawScene& scene);
 

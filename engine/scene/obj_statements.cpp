@@ -8,8 +8,9 @@
 #include <limits>
 #include <unordered_map>
 
-// tinyobjloader reads our MTL files, but not these: it rounds decimal numbers inexactly (a file in another unit would
-// give another picture), takes "nan" and garbage for zero without a word, and tells no line numbers.
+// OBJ and MTL are parsed here and in mtl.cpp because tinyobjloader rounds decimal numbers inexactly (a file in another
+// unit would give another picture), takes "nan" and garbage for zero without a word, tells no line numbers and not
+// which statements a material has.
 
 namespace manylight {
 namespace {
@@ -85,14 +86,12 @@ class ObjParser {
 
     void parsePosition(std::string_view rest) {
         out_.positions.push_back(parseVector(rest, 3));
-        int extraNumbers = 0;
-        double weight = 1.0;
-        while (const auto number = parseNumber(takeWord(rest)))
-            if (++extraNumbers == 1) weight = *number;
-        if (extraNumbers >= 3)
-            warn("vertex colours ignored");
-        else if (extraNumbers >= 1 && weight != 1.0)
-            warn("vertex weights ignored");
+        std::vector<double>& more = extraNumbers_;
+        more.clear();
+        while (const auto number = parseNumber(takeWord(rest))) more.push_back(*number);
+        if (more.size() >= 3 || !out_.colours.empty()) out_.colours.resize(out_.positions.size(), glm::dvec3(1.0));
+        if (more.size() >= 3) out_.colours.back() = {more[more.size() - 3], more[more.size() - 2], more.back()};
+        if (more.size() != 3 && !more.empty() && more.front() != 1.0) warn("vertex weights ignored");
     }
 
     /// Reads an index at the start of `word` and makes it count from zero. Empty if there is no number.
@@ -154,6 +153,7 @@ class ObjParser {
     TextLines lines_;
     Warnings& warnings_;
     ObjStatements out_;
+    std::vector<double> extraNumbers_;
     std::unordered_map<std::string, uint32_t> materialNumbers_;
     uint32_t material_ = 0;
     bool knewAny_ = false;

@@ -31,6 +31,7 @@ struct ObjFace {
 
 struct ObjStatements {
     std::vector<glm::dvec3> positions;  // a malformed one is NaN, so that only its faces are lost
+    std::vector<glm::dvec3> colours;    // of the positions, sRGB encoded as written; empty if none has one
     std::vector<glm::dvec3> normals;
     std::vector<glm::dvec2> uvs;  // v up
     std::vector<ObjCorner> corners;

@@ -4,22 +4,28 @@
 
 namespace manylight {
 
-int32_t TextureLoader::load(const Texture& sampling, const std::function<EncodedImage()>& decode) {
+std::optional<EncodedImage> TextureLoader::decode(const Decode& decode) {
+    try {
+        return decode();
+    } catch (const Error& error) {
+        // A scene without one of its pictures is still worth showing.
+        warnings_->add("textures left out: image not readable", error.what());
+        return std::nullopt;
+    }
+}
+
+int32_t TextureLoader::load(const Texture& sampling, const Decode& decodeImage) {
     const std::string key = fmt::format("{}|{}|{}|{}", sampling.name, static_cast<int>(sampling.wrapU),
                                         static_cast<int>(sampling.wrapV), static_cast<int>(sampling.filter));
     if (const auto found = loaded_.find(key); found != loaded_.end()) return found->second;
     int32_t index = kNoTexture;
-    try {
-        EncodedImage image = decode();
+    if (std::optional<EncodedImage> image = decode(decodeImage)) {
         Texture texture = sampling;
-        texture.width = image.width;
-        texture.height = image.height;
-        texture.rgba = std::move(image.rgba);
+        texture.width = image->width;
+        texture.height = image->height;
+        texture.rgba = std::move(image->rgba);
         index = static_cast<int32_t>(textures_->size());
         textures_->push_back(std::move(texture));
-    } catch (const Error& error) {
-        // A scene without one of its pictures is still worth showing.
-        warnings_->add("textures left out: image not readable", error.what());
     }
     loaded_.emplace(key, index);
     return index;

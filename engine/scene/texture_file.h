@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace manylight {
@@ -14,11 +15,16 @@ namespace manylight {
 /// Adds textures to a scene's list. The same name with the same wrap and filter is decoded and stored once.
 class TextureLoader {
   public:
+    using Decode = std::function<EncodedImage()>;
+
     TextureLoader(std::vector<Texture>& textures, Warnings& warnings) : textures_(&textures), warnings_(&warnings) {}
 
     /// `sampling` gives name, wrap and filter; `decode` may throw Error. Returns an index into the scene's textures or
     /// kNoTexture, counted in the warnings.
-    int32_t load(const Texture& sampling, const std::function<EncodedImage()>& decode);
+    int32_t load(const Texture& sampling, const Decode& decode);
+
+    /// Decodes without storing; empty, counted, if it throws Error.
+    std::optional<EncodedImage> decode(const Decode& decode);
 
   private:
     std::vector<Texture>* textures_;

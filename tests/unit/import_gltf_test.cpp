@@ -1,4 +1,4 @@
-#include "tests/unit/import_test_support.h"
+#include "tests/unit/import_gltf_support.h"
 
 #include <gmock/gmock.h>
 
@@ -6,45 +6,6 @@ namespace manylight::testing {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// Three positions, three normals, three uvs and three indices of a triangle in the plane z = 0 that faces +z.
-std::string triangleData() {
-    std::string bytes;
-    append<float>(bytes, {0, 0, 0, 1, 0, 0, 0, 1, 0});
-    append<float>(bytes, {0, 0, 1, 0, 0, 1, 0, 0, 1});
-    append<float>(bytes, {0, 0, 1, 0, 0, 1});
-    append<uint16_t>(bytes, {0, 1, 2});
-    return bytes;
-}
-
-Json triangleJson() {
-    return Json::parse(R"({
-        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3}]}],
-        "accessors": [
-            {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
-            {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"},
-            {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC2"},
-            {"bufferView": 3, "componentType": 5123, "count": 3, "type": "SCALAR"}],
-        "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 36},
-                        {"buffer": 0, "byteOffset": 72, "byteLength": 24}, {"buffer": 0, "byteOffset": 96, "byteLength": 6}],
-        "buffers": [{"byteLength": 102}]})");
-}
-
-class GltfImport : public SceneFiles {
-  protected:
-    GltfImport() : json_(triangleJson()) { json_["buffers"][0]["uri"] = dataUri(triangleData()); }
-
-    Scene importJson() const { return import("a.gltf", json_.dump()); }
-    std::string errorOfJson() const { return errorOf("a.gltf", json_.dump()); }
-    std::string glbBytes() const {
-        Json json = json_;
-        json["buffers"][0].erase("uri");
-        return glb(json.dump(), triangleData());
-    }
-
-    Json json_;
-};
 
 TEST_F(GltfImport, ReadsEmbeddedExternalAndBinary) {
     const Scene embedded = importJson();
@@ -158,32 +119,6 @@ TEST_F(GltfImport, IndicesOutOfRangeDropTheirTriangle) {
     EXPECT_EQ(scene.warnings.count("triangles dropped: vertex index out of range"), 1u);
 }
 
-TEST_F(GltfImport, MaterialsTexturesAndTransforms) {
-    write("red.tga", redGreenTga());
-    json_["materials"] = Json::parse(R"([{"name": "m", "emissiveFactor": [1, 0.5, 0],
-        "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 8}},
-        "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0, "baseColorTexture": {"index": 0,
-            "extensions": {"KHR_texture_transform": {"offset": [0.5, 0.25], "rotation": 1.5707963267948966, "scale": [2, 4]}}}}}])");
-    json_["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}])");
-    json_["samplers"] = Json::parse(R"([{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}])");
-    json_["images"] = Json::parse(R"([{"uri": "red.tga"}])");
-    json_["meshes"][0]["primitives"][0]["material"] = 0;
-    const Scene scene = importJson();
-    ASSERT_EQ(scene.materials.size(), 1u);
-    EXPECT_EQ(scene.materials[0].albedo, glm::vec3(0.5f, 0.25f, 1.0f));
-    EXPECT_EQ(scene.materials[0].emittedRadiance, glm::vec3(8, 4, 0));
-    ASSERT_EQ(scene.textures.size(), 1u);
-    EXPECT_EQ(scene.textures[0].wrapU, TextureWrap::ClampToEdge);
-    EXPECT_EQ(scene.textures[0].wrapV, TextureWrap::MirroredRepeat);
-    EXPECT_EQ(scene.textures[0].filter, TextureFilter::Nearest);
-    // (1, 0) scaled to (2, 0), turned by 90 degrees to (0, -2), moved.
-    EXPECT_NEAR(cornerOf(scene, 0, 1).uv.x, 0.5f, 1e-6f);
-    EXPECT_NEAR(cornerOf(scene, 0, 1).uv.y, -1.75f, 1e-6f);
-    json_["images"][0]["uri"] = "$(missing).png";
-    EXPECT_EQ(importJson().materials[0].albedoTexture.texture, kNoTexture);
-    EXPECT_EQ(importJson().warnings.count("textures left out: image not readable"), 1u);
-}
-
 TEST_F(GltfImport, LightsAndCamerasFollowTheirNodes) {
     json_["extensions"] = Json::parse(R"({"KHR_lights_punctual": {"lights": [
         {"type": "point", "intensity": 10, "color": [1, 0.5, 0]},
@@ -225,89 +160,6 @@ TEST_F(GltfImport, InstancesAreDrawn) {
     const Scene scene = importJson();
     ASSERT_EQ(scene.triangles.size(), 2u);
     EXPECT_TRUE(isNear(filePosition(scene, 1, 0), {5, 0, 0}));
-}
-
-TEST_F(GltfImport, WhatIsNotDrawnIsCounted) {
-    json_["extensionsUsed"] = {"VENDOR_something"};
-    json_["animations"] = Json::parse("[{}, {}]");
-    json_["nodes"][0]["skin"] = 0;
-    json_["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 1;
-    json_["meshes"][0]["primitives"][0]["targets"] = Json::parse(R"([{"POSITION": 0}])");
-    const Warnings warnings = importJson().warnings;
-    EXPECT_EQ(warnings.count("glTF extensions ignored"), 1u);
-    EXPECT_EQ(warnings.count("animations ignored: nodes keep their rest pose"), 2u);
-    EXPECT_EQ(warnings.count("skins ignored: meshes keep their rest pose"), 1u);
-    EXPECT_EQ(warnings.count("vertex colours ignored"), 1u);
-    EXPECT_EQ(warnings.count("morph targets ignored"), 1u);
-}
-
-TEST_F(GltfImport, BrokenReferencesNameFileAndPath) {
-    const std::tuple<const char*, Json, const char*> cases[] = {
-        {"/asset/version", "3.0", "a.gltf: asset.version: expected version 2.x"},
-        {"/extensionsRequired", Json{"KHR_draco_mesh_compression"}, "extensionsRequired[0]: expected"},
-        {"/scene", 4, "scene: expected an index into scenes (there are 1), found 4"},
-        {"/scenes/0/nodes/0", 1, "scenes[0].nodes[0]: expected an integer"},
-        {"/nodes/0/mesh", -1, "nodes[0].mesh: expected an index into meshes"},
-        {"/nodes/0/children", Json{0}, "nodes[0]: reached twice"},
-        {"/nodes/0/matrix", Json{1, 2, 3}, "nodes[0].matrix: expected 16 numbers"},
-        {"/meshes/0/primitives/0/indices", 1, "meshes[0].primitives[0].indices: expected an accessor of unsigned"},
-        {"/meshes/0/primitives/0/indices", 99, "meshes[0].primitives[0].indices: expected an index into accessors"},
-        {"/meshes/0/primitives/0/indices", 4294967299, "meshes[0].primitives[0].indices: expected an index"},
-        {"/meshes/0/primitives/0/attributes/POSITION", 2, "POSITION: expected an accessor of VEC3"},
-        {"/meshes/0/primitives/0/material", 0, "material: expected an index into materials (there are 0)"},
-        {"/accessors/0/count", 4, "accessors[0]: 4 elements of 12 bytes from byte 0 do not fit the 36 bytes"},
-        {"/accessors/0/count", 0, "accessors[0].count: expected an integer in [1"},
-        {"/accessors/0/byteOffset", 4, "accessors[0]: 3 elements"},
-        {"/accessors/0/componentType", 5130, "accessors[0].componentType: expected"},
-        {"/accessors/0/bufferView", "a", "accessors[0].bufferView: expected an index into bufferViews"},
-        {"/accessors/1/count", 2, "expected an accessor with 3 elements"},
-        {"/bufferViews/0/byteStride", 8, "bufferViews[0].byteStride: expected at least the 12 bytes"},
-        {"/bufferViews/0/byteLength", 103, "bufferViews[0].byteLength: expected an integer in [1, 102]"},
-        {"/bufferViews/0/byteOffset", -4, "bufferViews[0].byteOffset: expected an integer"},
-        {"/bufferViews/3/buffer", 1, "bufferViews[3].buffer: expected an index into buffers"},
-        {"/buffers/0/byteLength", 200, "buffers[0]: has 102 bytes, expected byteLength 200"},
-        {"/buffers/0/uri", "gone.bin", "gone.bin"},
-        {"/buffers/0/uri", "http://example.org/a.bin", "no relative path"},
-        {"/meshes", 7, "meshes: expected an array"},
-        {"/meshes/0/primitives", Json::object(), "meshes[0].primitives: expected an array"},
-        {"/materials", Json{{{"emissiveFactor", {1, 2}}}}, "materials[0].emissiveFactor: expected 3 numbers"},
-    };
-    for (const auto& [pointer, value, message] : cases) {
-        json_ = triangleJson();
-        json_["buffers"][0]["uri"] = dataUri(triangleData());
-        json_[Json::json_pointer(pointer)] = value;
-        EXPECT_THAT(errorOfJson(), HasSubstr(message)) << pointer << " = " << value;
-    }
-}
-
-TEST_F(GltfImport, EveryTruncationOfAGlbIsRefused) {
-    const std::string bytes = glbBytes();
-    ASSERT_EQ(import("whole.glb", bytes).triangles.size(), 1u);
-    for (size_t size = 0; size < bytes.size(); ++size)
-        EXPECT_THAT(errorOf("cut.glb", std::string_view(bytes).substr(0, size)), HasSubstr("cut.glb: ")) << size;
-}
-
-TEST_F(GltfImport, EveryTruncationOfAGltfIsRefused) {
-    const std::string text = json_.dump();
-    for (size_t size = 0; size < text.size(); ++size)
-        EXPECT_THAT(errorOf("cut.gltf", std::string_view(text).substr(0, size)), HasSubstr("cut.gltf: not valid JSON"));
-}
-
-TEST_F(GltfImport, DamagedBytesNeverCrash) {
-    const std::string bytes = glbBytes();
-    size_t loaded = 0;
-    for (size_t at = 0; at < bytes.size(); ++at) {
-        std::string damaged = bytes;
-        damaged[at] = static_cast<char>(damaged[at] ^ (1 << (at % 8)));
-        try {
-            import("damaged.glb", damaged);
-            ++loaded;
-        } catch (const Error& error) {
-            EXPECT_THAT(error.what(), HasSubstr("damaged.glb"));
-        }
-    }
-    EXPECT_GT(loaded, 0u);
-    EXPECT_LT(loaded, bytes.size());
 }
 
 }  // namespace

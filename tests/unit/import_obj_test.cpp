@@ -90,6 +90,18 @@ TEST_F(ObjImport, CornersWithDifferentNormalsAreDifferentVertices) {
     EXPECT_EQ(cornerOf(scene, 0, 0).uv, glm::vec2(0.25f, 0.75f));
 }
 
+TEST_F(ObjImport, VertexColoursAreDecoded) {
+    const Scene scene = import("a.obj", "v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0 1 7 0 0\nv 1 1 0 2\nf 1 2 3\nf 2 4 3\n");
+    EXPECT_EQ(cornerOf(scene, 0, 0).colour, glm::vec4(1.0f));
+    EXPECT_EQ(cornerOf(scene, 0, 1).colour.r, 1.0f);
+    EXPECT_NEAR(cornerOf(scene, 0, 1).colour.g, 0.214f, 1e-3f);  // of sRGB's 0.5
+    EXPECT_EQ(cornerOf(scene, 0, 1).colour.b, 0.0f);
+    EXPECT_EQ(cornerOf(scene, 0, 2).colour, glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(cornerOf(scene, 1, 1).colour, glm::vec4(1.0f));
+    EXPECT_EQ(scene.warnings.count("vertex colours brought into [0, 1]"), 1u);
+    EXPECT_EQ(scene.warnings.entries().at("vertex weights ignored").examples, std::vector<std::string>{"line 4"});
+}
+
 TEST_F(ObjImport, ConcavePolygonKeepsItsAreaAndWinding) {
     // An arrow head that a fan from the first corner would overlap.
     const Scene scene =
@@ -132,39 +144,6 @@ TEST_F(ObjImport, FaultsAreCountedWithTheirLine) {
     EXPECT_EQ(entries.at("normal indices out of range").count, 1u);
     EXPECT_EQ(entries.at("line and point elements dropped").count, 1u);
     EXPECT_EQ(entries.at("statements ignored: not part of polygonal OBJ").count, 1u);
-}
-
-TEST_F(ObjImport, MaterialColoursAreReadAsMeant) {
-    write("a.mtl",
-          "newmtl plain\n\nnewmtl grey\n\tKd 0.25\nnewmtl bad\nKe nan 1 -2\nKd 2 -1 0.5\nnewmtl glossy\nKs 1 1 1\n");
-    const Scene scene = import("a.obj",
-                               "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl plain\nf 1 2 3\nusemtl grey\nf 1 2 3\n"
-                               "usemtl bad\nf 1 2 3\nusemtl glossy\nf 1 2 3\n");
-    EXPECT_EQ(scene.materials[0].albedo, glm::vec3(0.8f));
-    EXPECT_EQ(scene.materials[1].albedo, glm::vec3(0.25f));
-    EXPECT_EQ(scene.materials[2].albedo, glm::vec3(1.0f, 0.0f, 0.5f));
-    EXPECT_EQ(scene.materials[2].emittedRadiance, glm::vec3(0, 1, 0));
-    EXPECT_EQ(scene.warnings.count("material colours set to zero: not finite"), 1u);
-    EXPECT_EQ(scene.warnings.count("albedos clamped to [0, 1]"), 1u);
-    EXPECT_EQ(scene.warnings.count("emission channels set to zero: negative, not finite or too large"), 1u);
-    EXPECT_EQ(scene.warnings.count("glossy materials drawn diffuse"), 1u);
-}
-
-TEST_F(ObjImport, TexturesAreFoundBesideTheLibrary) {
-    write("maps/red green.tga", redGreenTga());
-    write("maps/a.mtl", "newmtl a\nmap_Kd .\\red green.tga\nnewmtl b\nmap_Kd missing.png\nKd 0.5 0.5 0.5\n");
-    const Scene scene = import("a.obj",
-                               "mtllib nowhere.mtl maps/a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nusemtl a\n"
-                               "f 1/1 2/1 3/1\nusemtl b\nf 1 2 3\n");
-    ASSERT_EQ(scene.textures.size(), 1u);
-    EXPECT_EQ(scene.textures[0].width, 2u);
-    EXPECT_EQ(scene.textures[0].rgba[0], 255);
-    EXPECT_EQ(scene.textures[0].rgba[5], 255);
-    EXPECT_EQ(scene.materials[0].albedoTexture.texture, 0);
-    EXPECT_EQ(scene.materials[1].albedoTexture.texture, kNoTexture);
-    EXPECT_EQ(scene.materials[1].albedo, glm::vec3(0.5f));
-    EXPECT_EQ(scene.warnings.count("textures left out: image not readable"), 1u);
-    EXPECT_EQ(scene.warnings.count("material libraries missing"), 1u);
 }
 
 TEST_F(ObjImport, RefusesWhatIsNoObj) {

@@ -104,6 +104,19 @@ inline std::string glb(std::string json, std::string binary) {
     return bytes + binary;
 }
 
+/// An image as uncompressed TGA, four bytes per texel, rows from the top.
+inline std::string rgbaTga(uint8_t width, uint8_t height, const std::vector<uint8_t>& rgba) {
+    std::string bytes(18, '\0');
+    bytes[2] = 2;
+    bytes[12] = static_cast<char>(width);
+    bytes[14] = static_cast<char>(height);
+    bytes[16] = 32;
+    bytes[17] = 40;
+    for (size_t i = 0; i + 3 < rgba.size(); i += 4)
+        append<uint8_t>(bytes, {rgba[i + 2], rgba[i + 1], rgba[i], rgba[i + 3]});
+    return bytes;
+}
+
 /// A 2 x 1 image (red, green) as uncompressed TGA, rows from the top.
 inline std::string redGreenTga() {
     std::string bytes{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 24, 32};
