@@ -61,7 +61,7 @@ std::string sceneKey(const Scene& scene, const RenderSettings& settings) {
         key.add(light.type, light.position, light.direction, light.emission, light.cosCutoff, light.cosBeam);
     const Camera& camera = scene.cameras[settings.camera];
     key.add(camera.origin, camera.forward, camera.up, camera.verticalFov);
-    key.add(settings.width, settings.height, settings.lighting, settings.bounceCount.value_or(-1));
+    key.add(settings.width, settings.height, settings.materials, settings.lighting, settings.bounceCount.value_or(-1));
     return fmt::format("{:016x}", key.value());
 }
 

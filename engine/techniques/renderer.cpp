@@ -8,6 +8,7 @@
 #include "engine/passes/show_vpls.h"
 #include "engine/passes/tonemap.h"
 #include "engine/passes/vpl_emission.h"
+#include "engine/scene/diffuse_only.h"
 #include "engine/techniques/forward_radiosity.h"
 #include "engine/techniques/instant_radiosity.h"
 #include "engine/techniques/path_tracing.h"
@@ -96,9 +97,10 @@ TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const F
 
 Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings)
     : device_(device),
-      scene_(scene),
-      plan_(planScene(scene, !settings.plan)),
-      gpuScene_(uploadTimed(device, scene, plan_, buildTimed(scene, startupTimes_.bvhBuild), startupTimes_.upload)),
+      reducedScene_(settings.materials == Materials::Diffuse ? std::optional(diffuseOnly(scene)) : std::nullopt),
+      scene_(reducedScene_ ? *reducedScene_ : scene),
+      plan_(planScene(scene_, !settings.plan)),
+      gpuScene_(uploadTimed(device, scene_, plan_, buildTimed(scene_, startupTimes_.bvhBuild), startupTimes_.upload)),
       pipelines_(device),
       executor_(device, pipelines_),
       frameConstants_{
@@ -113,6 +115,8 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
 Renderer::~Renderer() = default;
 
 void Renderer::restart(const RenderSettings& settings) {
+    if (settings.materials != settings_.materials)
+        failUsage("--materials {}: expected the same for all pictures of one run", name(settings.materials));
     const glm::uvec2 before{settings_.width, settings_.height};
     resolve(settings);
     if (before != glm::uvec2{settings_.width, settings_.height}) {

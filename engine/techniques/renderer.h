@@ -29,7 +29,7 @@ class Renderer {
     /// Throws Error if the driver cut a ray off (the picture would be wrong).
     Execution renderFrame();
 
-    /// Forgets the frames so far. Resolves as the constructor does.
+    /// Forgets the frames so far. Resolves as the constructor does; `materials` and `plan` stay what they were there.
     void restart(const RenderSettings& settings);
 
     /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
@@ -81,6 +81,7 @@ class Renderer {
     void tuneGather(const Execution& execution);
 
     gpu::Device& device_;
+    std::optional<Scene> reducedScene_;  // with --materials diffuse
     const Scene& scene_;
     RenderSettings settings_;
     ScenePlan plan_;

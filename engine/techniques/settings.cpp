@@ -28,6 +28,8 @@ constexpr std::array kLightings = {Name<Lighting>{Lighting::Local, "local"}, Nam
                                    Name<Lighting>{Lighting::Both, "both"}};
 constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<ClampMode>{ClampMode::Bound, "bound"},
                                 Name<ClampMode>{ClampMode::Compensate, "compensate"}};
+constexpr std::array kMaterials = {Name<Materials>{Materials::Full, "full"},
+                                   Name<Materials>{Materials::Diffuse, "diffuse"}};
 constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},  Name<Show>{Show::Vpls, "vpls"},
                                Name<Show>{Show::Normal, "normal"},    Name<Show>{Show::Albedo, "albedo"},
                                Name<Show>{Show::Depth, "depth"},      Name<Show>{Show::Position, "position"},
@@ -120,6 +122,8 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.seed = parseInteger<uint32_t>(o, v, 0, std::numeric_limits<uint32_t>::max()); }},
         {{"camera", "N", "which of the scene's cameras"},
          [](S& s, T o, T v) { s.camera = parseInteger<uint32_t>(o, v, 0, 1 << 20); }},
+        {{"materials", "full|diffuse", "surfaces as the scene has them, or Lambertians of the same albedo"},
+         [](S& s, T o, T v) { s.materials = parseName(kMaterials, o, v); }},
         {{"show", "picture|vpls|normal|albedo|depth|position|material",
           "the picture, the VPLs in it, or a G-buffer channel"},
          [](S& s, T o, T v) { s.show = parseName(kShows, o, v); }},
@@ -142,6 +146,7 @@ const std::vector<Setting>& settingTable() {
 const char* name(Technique technique) { return nameIn(kTechniques, technique); }
 const char* name(Lighting lighting) { return nameIn(kLightings, lighting); }
 const char* name(ClampMode clamp) { return nameIn(kClamps, clamp); }
+const char* name(Materials materials) { return nameIn(kMaterials, materials); }
 const char* name(Show show) { return nameIn(kShows, show); }
 const char* name(ToneCurve curve) { return nameIn(kCurves, curve); }
 
@@ -184,6 +189,7 @@ Json toJson(const RenderSettings& s) {
             {"light-samples", s.lightSampleCount},
             {"seed", s.seed},
             {"camera", s.camera},
+            {"materials", name(s.materials)},
             {"show", name(s.show)},
             {"exposure", s.exposure},
             {"tone-map", name(s.toneCurve)},

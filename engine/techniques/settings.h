@@ -28,6 +28,11 @@ enum class ClampMode : uint8_t {
     Compensate,  // cut at bound / area, and given back by short paths: unbiased, without the bright spots
 };
 
+enum class Materials : uint8_t {
+    Full,
+    Diffuse,  // every surface a Lambertian of its albedo, for comparison with what knows no others
+};
+
 enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material };
 
 enum class ToneCurve : uint8_t { Linear, Reinhard, Aces };
@@ -36,6 +41,7 @@ struct RenderSettings {
     Technique technique = Technique::Deferred;
     Lighting lighting = Lighting::Both;
     ClampMode clamp = ClampMode::Off;
+    Materials materials = Materials::Full;
     Show show = Show::Picture;
     ToneCurve toneCurve = ToneCurve::Aces;
     uint32_t width = 0;  // pixels; 0: as the scene's camera says, else 512 x 384
@@ -60,6 +66,7 @@ struct RenderSettings {
 const char* name(Technique technique);
 const char* name(Lighting lighting);
 const char* name(ClampMode clamp);
+const char* name(Materials materials);
 const char* name(Show show);
 const char* name(ToneCurve curve);
 /// Sets one setting by its option name without dashes ("vpls", "shadows"), from text. Throws Error (usage) naming the

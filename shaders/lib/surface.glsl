@@ -138,9 +138,10 @@ vec3 mappedNormal(TriangleRecord t, uint triangle, vec2 barycentrics, uint mater
     const uint texture = materials[material].normalTexture;
     if (!kNormalMapped || texture == kNoTexture) return n;
     const uint set = (textureInfos[texture].mode & kTextureUv1) != 0u ? 1u : 0u;
+    const mat2 uvMatrix = mat2(textureInfos[texture].uvMatrix.xy, textureInfos[texture].uvMatrix.zw);
     const vec2 uv0 = cornerUv(triangle, 0u, set);
-    const vec2 duv1 = cornerUv(triangle, 1u, set) - uv0;
-    const vec2 duv2 = cornerUv(triangle, 2u, set) - uv0;
+    const vec2 duv1 = uvMatrix * (cornerUv(triangle, 1u, set) - uv0);
+    const vec2 duv2 = uvMatrix * (cornerUv(triangle, 2u, set) - uv0);
     const float det = duv1.x * duv2.y - duv1.y * duv2.x;
     if (det == 0.0) return n;
     const vec3 p0 = uintBitsToFloat(t.corner0.xyz);
