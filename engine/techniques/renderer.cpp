@@ -183,8 +183,10 @@ void Renderer::writeFrameConstants() {
     const Camera& camera = scene_.cameras[settings_.camera];
     const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
     const ViewAxes view = viewAxes(camera.origin, camera.forward, camera.up, camera.verticalFov, aspect);
-    const glm::vec2 offset =
-        settings_.jitter ? shared::owenScrambledSobol2d(frameCount_, settings_.seed) : glm::vec2(0.5f);
+    const uint32_t seed =
+        settings_.continuesSequences ? settings_.seed : shared::hashCombine(settings_.seed, frameCount_);
+    const uint32_t number = settings_.continuesSequences ? frameCount_ : 0;  // of the frame in its sequences
+    const glm::vec2 offset = settings_.jitter ? shared::owenScrambledSobol2d(number, seed) : glm::vec2(0.5f);
     const glm::vec2 size{settings_.width, settings_.height};
     const EmitterTable& table = gpuScene_.emitterTable;
     const bool local = settings_.lighting != Lighting::Global;
@@ -192,9 +194,9 @@ void Renderer::writeFrameConstants() {
     shared::FrameConstants frame{};
     frame.clipFromWorld = clipFromWorld(view, kNearPlane, 2.0f * (glm::vec2(0.5f) - offset) / size);
     frame.cameraPosition = view.origin;
-    frame.seed = settings_.seed;
+    frame.seed = seed;
     frame.cameraRight = view.right;
-    frame.frame = frameCount_;
+    frame.frame = number;
     frame.cameraDown = view.down;
     frame.emitterCount = static_cast<uint32_t>(table.emitters.size());
     frame.cameraForward = view.forward;

@@ -30,6 +30,7 @@ constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<Cla
                                 Name<ClampMode>{ClampMode::Compensate, "compensate"}};
 constexpr std::array kMaterials = {Name<Materials>{Materials::Full, "full"},
                                    Name<Materials>{Materials::Diffuse, "diffuse"}};
+constexpr std::array kSequences = {Name<bool>{true, "continued"}, Name<bool>{false, "independent"}};
 constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},  Name<Show>{Show::Vpls, "vpls"},
                                Name<Show>{Show::Normal, "normal"},    Name<Show>{Show::Albedo, "albedo"},
                                Name<Show>{Show::Depth, "depth"},      Name<Show>{Show::Position, "position"},
@@ -117,6 +118,8 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.clampBound = parseNumber(o, v, 0.0f, 1e30f); }},
         {{"light-samples", "N", "points on area lights and the environment per frame"},
          [](S& s, T o, T v) { s.lightSampleCount = parseInteger<uint32_t>(o, v, 1, 65536); }},
+        {{"sequence", "continued|independent", "frames share low-discrepancy points, or each draws its own"},
+         [](S& s, T o, T v) { s.continuesSequences = parseName(kSequences, o, v); }},
         {{"size", "WxH", "pixels"}, [](S& s, T o, T v) { parseSize(s, o, v); }},
         {{"seed", "N", "the same seed gives the same bytes"},
          [](S& s, T o, T v) { s.seed = parseInteger<uint32_t>(o, v, 0, std::numeric_limits<uint32_t>::max()); }},
@@ -187,6 +190,7 @@ Json toJson(const RenderSettings& s) {
             {"clamp", name(s.clamp)},
             {"clamp-bound", s.clampBound ? Json(*s.clampBound) : Json()},
             {"light-samples", s.lightSampleCount},
+            {"sequence", nameIn(kSequences, s.continuesSequences)},
             {"seed", s.seed},
             {"camera", s.camera},
             {"materials", name(s.materials)},

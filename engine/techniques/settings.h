@@ -57,6 +57,7 @@ struct RenderSettings {
     uint32_t camera = 0;        // index into the scene's cameras
     float exposure = 0.0f;      // stops
     float vplDotRadius = 3.0f;  // --show vpls, pixels
+    bool continuesSequences = true;  // frames draw from one sequence; otherwise each is a sample of its own
     bool jitter = false;        // a new place in the pixel for every frame: the 1 x 1 box filter
     bool plan = true;           // leave out what the scene does not need
     bool checkFinite = false;   // look at what every pass wrote; slow
