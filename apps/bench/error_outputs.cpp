@@ -34,6 +34,7 @@ Json toJson(const ModeSummary& mode) {
             {"first_frame_seconds", mode.warmUpSeconds},
             {"slope", toJson(mode.slope)},
             {"slope_without_worst", toJson(mode.slopeWithoutWorst)},
+            {"slope_over_frames", toJson(mode.slopeOverFrames)},
             {"missing_radiance", toJson(std::optional(mode.missing))},
             {"cut_off_radiance", toJson(mode.cutOff)},
             {"rows", rows}};

@@ -73,22 +73,25 @@ ErrorRow makeRow(const Checkpoint& checkpoint, const Truth& truth) {
     return row;
 }
 
-/// One fit a seed, so that their scatter is the slope's error.
+double secondsOf(const ErrorRow& row) { return row.seconds; }
+double framesOf(const ErrorRow& row) { return static_cast<double>(row.frames); }
+
+/// Over the logarithm of `place`. One fit a seed, so that their scatter is the slope's error.
 std::optional<Estimate> slopeOf(const ModeRun& run, const std::vector<ErrorRow>& rows, const Truth& truth,
-                                double ErrorReport::*error) {
+                                double ErrorReport::*error, double (*place)(const ErrorRow&)) {
     std::vector<double> slopes;
     for (size_t seed = 0; seed < run.checkpoints.front().images.size(); ++seed) {
-        std::vector<double> times, errors;
+        std::vector<double> places, errors;
         for (size_t i = 0; i < rows.size(); ++i) {
             if (!rows[i].isMeasurable) continue;
             const double value =
                 compareImages(run.checkpoints[i].images[seed], truth.reference.image, truth.mask).*error;
             if (!(value > 0.0)) continue;
-            times.push_back(std::log(rows[i].seconds));
+            places.push_back(std::log(place(rows[i])));
             errors.push_back(std::log(value));
         }
-        if (times.size() < 3) return std::nullopt;
-        if (const auto line = fitLine(times, errors)) slopes.push_back(line->slope);
+        if (places.size() < 3) return std::nullopt;
+        if (const auto line = fitLine(places, errors)) slopes.push_back(line->slope);
     }
     if (slopes.size() < 2) return std::nullopt;
     return estimate(slopes);
@@ -104,8 +107,9 @@ ModeSummary summariseMode(const ModeRun& run, const Truth& truth, Progress& prog
         summary.rows.push_back(makeRow(checkpoint, truth));
         progress.advance();
     }
-    summary.slope = slopeOf(run, summary.rows, truth, &ErrorReport::rmse);
-    summary.slopeWithoutWorst = slopeOf(run, summary.rows, truth, &ErrorReport::rmseWithoutWorst);
+    summary.slope = slopeOf(run, summary.rows, truth, &ErrorReport::rmse, secondsOf);
+    summary.slopeWithoutWorst = slopeOf(run, summary.rows, truth, &ErrorReport::rmseWithoutWorst, secondsOf);
+    summary.slopeOverFrames = slopeOf(run, summary.rows, truth, &ErrorReport::rmse, framesOf);
     std::vector<double> missing;
     for (const Image& image : run.checkpoints.back().images) missing.push_back(meanOf(reference) - meanOf(image));
     summary.missing = estimate(missing);

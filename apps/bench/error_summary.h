@@ -27,6 +27,7 @@ struct ModeSummary {
     double warmUpSeconds = 0.0;
     std::optional<Estimate> slope;  // of log RMSE over log time, over the measurable rows; three of them at least
     std::optional<Estimate> slopeWithoutWorst;
+    std::optional<Estimate> slopeOverFrames;  // the same over log frames: what a busy machine cannot bend
     Estimate missing;  // mean radiance of the reference less that of the last row
     std::optional<Estimate> cutOff;
 };

@@ -54,8 +54,8 @@ std::string modeTable(const ModeSummary& mode) {
     const auto slope = [](const std::optional<Estimate>& value) {
         return value ? fmt::format("{:.3f} +- {:.3f}", value->mean, value->error) : "-";
     };
-    text += fmt::format("  slope of log RMSE over log time: {}; without the worst 0.1 %: {}\n", slope(mode.slope),
-                        slope(mode.slopeWithoutWorst));
+    text += fmt::format("  slope of log RMSE over log time: {}; without the worst 0.1 %: {}; over log frames: {}\n",
+                        slope(mode.slope), slope(mode.slopeWithoutWorst), slope(mode.slopeOverFrames));
     text += fmt::format("  mean radiance missing at the end: {:.3e} +- {:.1e}", mode.missing.mean, mode.missing.error);
     if (mode.cutOff)
         text += fmt::format("; cut off by the bound: {:.3e} +- {:.1e}", mode.cutOff->mean, mode.cutOff->error);

@@ -71,8 +71,9 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
         const char* const shader = seenOnly           ? "forward_visible.frag"
                                    : plan.alphaTested ? "forward_alpha.frag"
                                                       : "forward.frag";
-        pass.execute([constants, push, shader, seenOnly, triangleCount](PassContext& context) {
-            context.draw({.vertexShader = "geometry.vert",
+        pass.execute([constants, push, shader, vertexShader = geometryShader(plan), seenOnly,
+                      triangleCount](PassContext& context) {
+            context.draw({.vertexShader = vertexShader,
                           .fragmentShader = shader,
                           .specialisation = constants,
                           .depthCompare = seenOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},

@@ -88,7 +88,7 @@ PackedMaterials packMaterials(const Scene& scene, const ScenePlan& plan) {
             .opacityTexture = textures.pack(material.opacityTexture, Encoding::Linear),
             .meanEmission = static_cast<float>(meanEmission(scene, material)),
             .isUnlit = material.unlit ? 1u : 0u,
-            .unused0 = 0,
+            .isCulled = material.culled ? 1u : 0u,
             .unused1 = 0,
         });
     return packed;

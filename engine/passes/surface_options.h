@@ -8,16 +8,8 @@ namespace manylight {
 
 /// Constants 0 to 9. What a pass appends is numbered from 10.
 inline gpu::Specialisation surfaceOptions(const ScenePlan& plan) {
-    return {plan.textured,
-            plan.shadingNormals,
-            plan.glossy,
-            plan.alphaTested,
-            plan.normalMapped,
-            plan.vertexColours,
-            plan.emissionTextured,
-            plan.uvSets,
-            0u,
-            0u};
+    return {plan.textured,      plan.shadingNormals,   plan.glossy, plan.alphaTested, plan.normalMapped,
+            plan.vertexColours, plan.emissionTextured, plan.uvSets, plan.culled,      0u};
 }
 
 }  // namespace manylight

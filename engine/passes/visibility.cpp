@@ -4,6 +4,8 @@
 
 namespace manylight {
 
+const char* geometryShader(const ScenePlan& plan) { return plan.culled ? "geometry_culled.vert" : "geometry.vert"; }
+
 Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
                          uint32_t width, uint32_t height) {
     constexpr VkClearValue kFarAway{.depthStencil = {0.0f, 0}};
@@ -12,7 +14,7 @@ Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const Sce
     visibility.triangle = graph.createImage("visibility", {VK_FORMAT_R32_UINT, width, height});
     visibility.depth = graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height});
     PassBuilder pass = graph.addPass("visibility");
-    if (plan.alphaTested)
+    if (plan.alphaTested || plan.culled)
         readSurfaces(pass, scene, PipelineKind::Graphics);
     else {
         readFrame(pass, scene, PipelineKind::Graphics);
@@ -20,8 +22,9 @@ Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const Sce
     }
     visibility.triangle = pass.write(visibility.triangle, Access::ColorWrite, kNothing);
     visibility.depth = pass.write(visibility.depth, Access::DepthWrite, kFarAway);
-    pass.execute([triangleCount, isTested = plan.alphaTested, options = surfaceOptions(plan)](PassContext& context) {
-        context.draw({.vertexShader = "geometry.vert",
+    pass.execute([triangleCount, vertexShader = geometryShader(plan), isTested = plan.alphaTested,
+                  options = surfaceOptions(plan)](PassContext& context) {
+        context.draw({.vertexShader = vertexShader,
                       .fragmentShader = isTested ? "visibility_alpha.frag" : "visibility.frag",
                       .specialisation = options,
                       .depthCompare = VK_COMPARE_OP_GREATER},

@@ -14,4 +14,7 @@ struct Visibility {
 Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
                          uint32_t width, uint32_t height);
 
+/// The vertex shader of every pass that draws the scene.
+const char* geometryShader(const ScenePlan& plan);
+
 }  // namespace manylight

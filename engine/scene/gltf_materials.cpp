@@ -47,6 +47,7 @@ class MaterialReader {
         sets_ = gltfUvSets(gltf_, static_cast<int>(index));
         RawMaterial material;
         if (source.contains("name") && source["name"].is_string()) material.name = source["name"].get<std::string>();
+        material.surface.culled = !source.value("doubleSided", false);
         readBaseColour(source, material);
         if (isUnlit(source)) {
             material.surface.unlit = true;

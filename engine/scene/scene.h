@@ -70,7 +70,8 @@ struct Material {
     float opacity = 1.0f;         // where not opaque: Mask hides what is below `alphaCutoff`, Blend shows that share
     TextureUse opacityTexture{};  // its alpha channel multiplies `opacity`
     float alphaCutoff = 0.5f;
-    bool unlit = false;  // shows its albedo as radiance to the camera, and is black and dark to everything else
+    bool culled = false;  // the camera looks through its back, which light does not: single-sided as in glTF
+    bool unlit = false;   // shows its albedo as radiance to the camera, and is black and dark to everything else
 };
 
 /// Three corners of unified vertices plus a material: indices into Scene::vertices and Scene::materials.

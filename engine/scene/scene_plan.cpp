@@ -76,6 +76,10 @@ ScenePlan planScene(const Scene& scene, bool everything) {
     plan.alphaTested = decide(plan, everything, translucent, "opacity at hits",
                               translucent ? "a triangle's material is not opaque" : "every triangle is opaque");
 
+    const bool culled = usesMaterial([](const Material& material) { return material.culled; });
+    plan.culled = decide(plan, everything, culled, "culling of back faces",
+                         culled ? "a triangle's material is single-sided" : "every triangle is seen from both sides");
+
     const bool coloured = std::any_of(scene.vertices.begin(), scene.vertices.end(),
                                       [](const Vertex& vertex) { return vertex.colour != glm::vec4(1.0f); });
     plan.vertexColours = decide(plan, everything, coloured, "vertex colours",

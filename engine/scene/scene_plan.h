@@ -23,6 +23,7 @@ struct ScenePlan {
     bool normalMapped = true;    // normals tilted by textures
     bool glossy = true;          // reflection that depends on directions, in shading and in the VPLs
     bool alphaTested = true;     // surfaces that let some light through: asked at every hit of a ray
+    bool culled = true;          // back faces that the camera looks through
     bool vertexColours = true;
     bool emissionTextured = true;  // emission that varies over a triangle, and unlit materials
     bool areaLights = true;        // samples of emissive triangles and of the environment for direct light

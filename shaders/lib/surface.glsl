@@ -14,6 +14,7 @@ layout(constant_id = 4) const bool kNormalMapped = true;
 layout(constant_id = 5) const bool kVertexColours = true;
 layout(constant_id = 6) const bool kEmissionTextured = true;  // emission that varies over a triangle
 layout(constant_id = 7) const uint kUvSets = 2u;              // in the buffer
+layout(constant_id = 8) const bool kCulled = true;            // back faces that the camera looks through
 
 layout(set = 0, binding = kBindingTriangleMaterials, scalar) readonly buffer TriangleMaterialBlock { uint triangleMaterials[]; };
 layout(set = 0, binding = kBindingTriangleUvs, scalar) readonly buffer TriangleUvBlock { vec2 triangleUvs[]; };
@@ -92,6 +93,12 @@ vec4 vertexColourAt(uint triangle, vec2 barycentrics) {
     if (!kVertexColours) return vec4(1.0);
     const vec4 c0 = cornerColour(triangle, 0u);
     return c0 + barycentrics.x * (cornerColour(triangle, 1u) - c0) + barycentrics.y * (cornerColour(triangle, 2u) - c0);
+}
+
+// Does the camera look through that side of the triangle?
+bool isCulledFrom(uint triangle, vec3 toViewer) {
+    return kCulled && materials[triangleMaterials[triangle]].isCulled != 0u &&
+           dot(counterClockwiseNormal(loadTriangle(triangle)), toViewer) < 0.0;
 }
 
 // The texture's value there, 1 where there is none.

@@ -109,6 +109,13 @@ PathState meetSurface(PathState path, uint seed) {
         path.isAlive = 0u;
         return path;
     }
+    // Camera rays go through the backs of single-sided surfaces.
+    if (path.scatterings == 0u && isCulledFrom(hit.triangle, -path.direction)) {
+        const TriangleRecord t = loadTriangle(hit.triangle);
+        path.origin = positionAt(t, hit.barycentrics);
+        path.normal = counterClockwiseNormal(t);
+        return path;
+    }
     path.radiance += emissionOfSurface(path, hit);
     if (path.scatterings == push.maxScatterings) {
         path.isAlive = 0u;

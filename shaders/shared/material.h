@@ -29,7 +29,7 @@ struct Material {
     uint opacityTexture;
     float meanEmission;  // mean channel of the emitted radiance, over its texture: what an emitter is chosen by
     uint isUnlit;
-    uint unused0;
+    uint isCulled;
     uint unused1;
 };
 

@@ -53,6 +53,8 @@ def parse_arguments():
     parser.add_argument("--technique", dest="techniques", action="append", choices=TECHNIQUES,
                         help="of Manylight; may be repeated (default: all)")
     parser.add_argument("--bounces", type=int, help="surfaces of a light path, -1: no limit (default: the sidecar's)")
+    parser.add_argument("--materials", choices=("diffuse", "full"), default="diffuse",
+                        help="full: metals of OBJ files too; Mitsuba masks its microfacets a little otherwise")
     parser.add_argument("--noise", type=float, default=0.003, help="largest standard error of the ratio of the means")
     parser.add_argument("--factor", type=float, default=1.0, help="multiplies Manylight's pictures: to see this fail")
     parser.add_argument("--variant", help="of Mitsuba (default: llvm_ad_rgb where LLVM is new enough, or scalar_rgb)")
@@ -85,7 +87,7 @@ def technique_options(arguments, technique):
 def capture(arguments, file, bounces, technique, picture, seed):
     """One picture of Manylight's. The seed is passed on, everything else stays."""
     command = [arguments.programs / "manylight-capture", file, "-o", picture, "--size", arguments.size, "--seed", seed,
-               "--bounces", bounces, "--lighting", "both", "--shadows", "on"]
+               "--bounces", bounces, "--lighting", "both", "--shadows", "on", "--materials", arguments.materials]
     command += technique_options(arguments, technique)
     run_program(command, shows_warnings=seed == 1)
     return arguments.factor * mitsuba_scene.read_picture(picture)
@@ -171,7 +173,7 @@ def compare(arguments, path, scratch):
     print(f"\n{path}: {triangles} triangles, {arguments.size}, {arguments.seeds} seeds, max_depth {depth}", flush=True)
 
     size = [int(number) for number in arguments.size.split("x")]
-    loaded = mitsuba_scene.load(scene, size, depth, scratch)
+    loaded = mitsuba_scene.load(scene, size, depth, scratch, arguments.materials)
     render = functools.partial(mitsuba_scene.render, loaded, arguments.mitsuba_spp)
     reference, theirs = many(arguments, "Mitsuba", render)
     level = seed_statistics.sidak(FAMILY_LEVEL, len(arguments.techniques) * theirs.shape[1] * theirs.shape[2])

@@ -48,9 +48,17 @@ def reflectance(material):
             "filter_type": material.filter}
 
 
-def shape(part, path):
+def surface(material, materials):
+    """With materials "full", metals are GGX with Schlick's Fresnel term, as Mitsuba's "principled" has it."""
+    if materials == "full" and material.is_metal:
+        return {"type": "principled", "base_color": reflectance(material), "metallic": 1.0,
+                "roughness": material.roughness, "specular": 0.5}
+    return {"type": "diffuse", "reflectance": reflectance(material)}
+
+
+def shape(part, path, materials):
     write_ply(part, path)
-    bsdf = {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": reflectance(part.material)}}
+    bsdf = {"type": "twosided", "bsdf": surface(part.material, materials)}
     entry = {"type": "ply", "filename": str(path), "face_normals": part.normals is None, "bsdf": bsdf}
     if part.material.emits():
         entry["emitter"] = {"type": "area", "radiance": rgb(part.material.emission)}
@@ -89,10 +97,10 @@ def sensor(scene, size):
             "far_clip": 2 * farthest, "to_world": view, "film": film, "sampler": {"type": "independent"}}
 
 
-def load(scene, size, max_depth, folder):
+def load(scene, size, max_depth, folder, materials):
     entries = {"type": "scene", "integrator": {"type": "path", "max_depth": max_depth}, "sensor": sensor(scene, size)}
     for i, part in enumerate(scene.parts):
-        entries[f"part{i}"] = shape(part, folder / f"part{i}.ply")
+        entries[f"part{i}"] = shape(part, folder / f"part{i}.ply", materials)
     for i, light in enumerate(scene.lights):
         if light["type"] != "rect_area":
             entries[f"light{i}"] = emitter(light)

@@ -34,6 +34,10 @@ def read_materials(path, materials):
             current.albedo = tuple(min(max(value, 0.0), 1.0) for value in parse_colour(rest.split()))
         elif keyword == "Ke":
             current.emission = parse_colour(rest.split())
+        elif keyword == "Pm":
+            current.is_metal = float(rest) == 1.0
+        elif keyword == "Pr":
+            current.roughness = float(rest)
         elif keyword == "map_Kd":
             current.texture = texture_file(path.parent, rest, f"{path}:{number}")
 

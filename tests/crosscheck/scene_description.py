@@ -19,6 +19,8 @@ class Material:
     texture: pathlib.Path | None = None  # sRGB; a factor to the albedo
     wrap: str = "repeat"
     filter: str = "bilinear"
+    is_metal: bool = False
+    roughness: float = 1.0  # perceptual: GGX's alpha is its square
 
     def emits(self):
         return any(self.emission)

@@ -91,5 +91,32 @@ TEST_P(Materials, LeavingNothingOutChangesNoPicture) {
     }
 }
 
+using MaterialsOnce = GpuTest;
+
+TEST_F(MaterialsOnce, TheCameraLooksThroughABackThatLightDoesNotPass) {
+    Scene scene = floorFromAbove(0.5f);
+    const uint32_t card = addMaterial(scene, glm::vec3(0.9f));
+    addQuad(scene, {-0.5f, 0.3f, -0.5f}, {1, 0, 0}, {0, 0, 1}, card);  // its front is below
+    scene.lights.push_back(pointLight({0.1f, 0.2f, 0.1f}, glm::vec3(1.0f)));
+    scene = finished(std::move(scene));
+    for (const Technique technique :
+         {Technique::Deferred, Technique::Forward, Technique::ForwardPrepass, Technique::PathTracer}) {
+        RenderSettings settings = plainSettings(8, 8);
+        settings.technique = technique;
+        settings.castShadows = true;
+        settings.lighting = Lighting::Local;
+        scene.materials[card].culled = false;
+        const Image hidden = render(scene, settings);
+        scene.materials[card].culled = true;
+        const Image floor = render(scene, settings);
+        EXPECT_EQ(meanOf(hidden), 0.0) << name(technique);  // the card's upper side is in the dark
+        EXPECT_GT(meanOf(floor), 0.1) << name(technique);
+        // The camera sees through, a lamp above does not shine through.
+        scene.lights[0].position.y = 0.5f;
+        EXPECT_EQ(meanOf(render(scene, settings)), 0.0) << name(technique);
+        scene.lights[0].position.y = 0.2f;
+    }
+}
+
 }  // namespace
 }  // namespace manylight::test

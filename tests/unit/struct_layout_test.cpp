@@ -84,7 +84,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
        MEMBER(Material, roughness), MEMBER(Material, metallicRoughnessTexture), MEMBER(Material, normalTexture),
        MEMBER(Material, normalScale), MEMBER(Material, alphaMode), MEMBER(Material, opacity),
        MEMBER(Material, alphaCutoff), MEMBER(Material, opacityTexture), MEMBER(Material, meanEmission),
-       MEMBER(Material, isUnlit), MEMBER(Material, unused0), MEMBER(Material, unused1)},
+       MEMBER(Material, isUnlit), MEMBER(Material, isCulled), MEMBER(Material, unused1)},
       sizeof(shared::Material)}},
     {"TextureInfo",
      {{MEMBER(TextureInfo, firstTexel), MEMBER(TextureInfo, width), MEMBER(TextureInfo, height),
