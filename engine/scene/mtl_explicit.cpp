@@ -109,10 +109,13 @@ class MtlWriter {
     }
 
   private:
+    /// To the library a newmtl without a name is none, and what follows would be the last material's.
     void startMaterial(std::string_view name) {
-        hasMaterial_ = true;
-        written_ += fmt::format("newmtl {}\n", name);
-        if (name.empty()) warnings_.add("materials without a name left out", place_);
+        hasMaterial_ = !name.empty();
+        if (hasMaterial_)
+            written_ += fmt::format("newmtl {}\n", name);
+        else
+            warnings_.add("materials without a name left out", place_);
     }
 
     void writeStatement(const Statement& statement, std::string_view rest) {
