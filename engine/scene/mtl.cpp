@@ -1,173 +1,95 @@
 #include "engine/scene/mtl.h"
 
-#include "engine/scene/mtl_map.h"
-#include "engine/scene/text_lines.h"
+#include "engine/scene/mtl_explicit.h"
 
 #include <fmt/format.h>
+#include <tiny_obj_loader.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cmath>
+#include <sstream>
+#include <type_traits>
 
 namespace manylight {
 namespace {
 
-std::string lowerCase(std::string_view word) {
-    std::string text(word);
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
+static_assert(std::is_same_v<tinyobj::real_t, double>, "link tinyobjloader_double");
+
+bool isStated(const tinyobj::material_t& source, std::string_view keyword) {
+    return source.unknown_parameter.contains(fmt::format("{}{}", kStatedPrefix, keyword));
 }
 
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::find(words.begin(), words.end(), word) != words.end();
+bool isChannel(char letter) { return std::string_view("rgbml").find(letter) != std::string_view::npos; }
+
+std::optional<glm::dvec3> colourIf(bool isStated, const double (&values)[3]) {
+    if (!isStated) return std::nullopt;
+    return glm::dvec3(values[0], values[1], values[2]);
 }
 
-class MtlParser {
-  public:
-    MtlParser(const std::string& file, Warnings& warnings) : file_(file), warnings_(warnings) {}
+template <typename T>
+std::optional<T> valueIf(bool isStated, T value) {
+    return isStated ? std::optional<T>(value) : std::nullopt;
+}
 
-    std::vector<MtlMaterial> parse(std::string_view text) {
-        TextLines lines(text);
-        while (lines.next()) {
-            std::string_view rest = lines.line();
-            const std::string keyword = lowerCase(takeWord(rest));
-            if (keyword.empty() || keyword.front() == '#') continue;
-            place_ = fmt::format("{} line {}", file_, lines.number());
-            if (keyword == "newmtl") {
-                materials_.emplace_back().name = trimmed(rest);
-                continue;
-            }
-            if (materials_.empty()) {
-                warnings_.add("material statements before any newmtl ignored", place_);
-                continue;
-            }
-            const bool isKnown = readColour(keyword, rest) || readNumber(keyword, rest) || readMap(keyword, rest) ||
-                                 isLeftOut(keyword, rest);
-            if (!isKnown) warnings_.add("material statements of unknown meaning ignored", place_);
-        }
-        return std::move(materials_);
-    }
+/// Counts the options that the engine has no use for.
+void checkOptions(const tinyobj::texture_option_t& options, const std::string& place, Warnings& warnings) {
+    const auto count = [&](bool isThere, std::string_view name) {
+        if (isThere) warnings.add("texture options ignored", fmt::format("{}: {}", place, name));
+    };
+    const auto& turbulence = options.turbulence;
+    count(turbulence[0] != 0.0 || turbulence[1] != 0.0 || turbulence[2] != 0.0, "-t");
+    count(options.brightness != 0.0 || options.contrast != 1.0, "-mm");
+    count(options.type != tinyobj::TEXTURE_TYPE_NONE, "-type");
+    count(!isChannel(options.imfchan), "-imfchan");
+}
 
-  private:
-    /// "Kd r g b" or "Kd grey".
-    static std::optional<glm::dvec3> threeNumbers(std::string_view rest) {
-        const auto red = parseNumber(takeWord(rest));
-        if (!red) return std::nullopt;
-        const std::string_view second = takeWord(rest);
-        if (second.empty() || second.front() == '#') return glm::dvec3(*red);
-        const auto green = parseNumber(second);
-        const auto blue = parseNumber(takeWord(rest));
-        if (!green || !blue) return std::nullopt;
-        return glm::dvec3(*red, *green, *blue);
-    }
+std::optional<MtlMap> mapOf(const std::string& file, const tinyobj::texture_option_t& options, const std::string& place,
+                            Warnings& warnings) {
+    if (file.empty()) return std::nullopt;
+    checkOptions(options, place, warnings);
+    return MtlMap{.file = file,
+                  .offset = {options.origin_offset[0], options.origin_offset[1]},
+                  .scale = {options.scale[0], options.scale[1]},
+                  .isClamped = options.clamp,
+                  .bumpMultiplier = options.bump_multiplier,
+                  .channel = isChannel(options.imfchan) ? options.imfchan : 'l'};
+}
 
-    glm::dvec3 colour(std::string_view rest) {
-        const auto numbers = threeNumbers(rest);
-        if (!numbers) warnings_.add("material colours set to zero: not three numbers", place_);
-        glm::dvec3 colour = numbers.value_or(glm::dvec3(0.0));
-        for (int channel = 0; channel < 3; ++channel) {
-            if (std::isfinite(colour[channel])) continue;
-            warnings_.add("material colours set to zero: not finite", place_);
-            colour[channel] = 0.0;
-        }
-        return colour;
-    }
-
-    bool readColour(const std::string& keyword, std::string_view rest) {
-        if (keyword == "kd")
-            now().diffuse = colour(rest);
-        else if (keyword == "ks")
-            now().highlight = colour(rest);
-        else if (keyword == "ke")
-            now().emission = colour(rest);
-        else
-            return false;
-        return true;
-    }
-
-    std::optional<double> number(std::string_view rest) {
-        const auto value = parseNumber(takeWord(rest));
-        if (value && std::isfinite(*value) && *value >= 0.0) return value;
-        warnings_.add("material numbers ignored: negative or no finite number", place_);
-        return std::nullopt;
-    }
-
-    bool readNumber(const std::string& keyword, std::string_view rest) {
-        if (keyword == "ns")
-            now().exponent = number(rest);
-        else if (keyword == "pr")
-            now().roughness = number(rest);
-        else if (keyword == "pm")
-            now().metallic = number(rest);
-        else if (keyword == "d")
-            readDissolve(rest);
-        else if (keyword == "tr")
-            readTransparency(rest);
-        else if (keyword == "illum")
-            readIllumination(rest);
-        else
-            return false;
-        return true;
-    }
-
-    void readDissolve(std::string_view rest) {
-        std::string_view behind = rest;
-        if (takeWord(behind) == "-halo") {
-            warnings_.add("opacity that depends on the view taken as constant", place_);
-            rest = behind;
-        }
-        now().opacity = number(rest);
-    }
-
-    /// Some programs write "Tr 1" beside "d 1": what d says counts.
-    void readTransparency(std::string_view rest) {
-        const auto transparency = number(rest);
-        if (transparency && !now().opacity) now().opacity = 1.0 - std::min(*transparency, 1.0);
-    }
-
-    void readIllumination(std::string_view rest) {
-        const auto model = number(rest);
-        if (model && *model <= 10.0) now().illumination = static_cast<int>(*model);
-    }
-
-    bool readMap(const std::string& keyword, std::string_view rest) {
-        std::optional<MtlMap>* const map = keyword == "map_kd"                          ? &now().diffuseMap
-                                           : keyword == "map_ke"                        ? &now().emissionMap
-                                           : keyword == "map_d"                         ? &now().opacityMap
-                                           : keyword == "norm" || keyword == "map_norm" ? &now().normalMap
-                                           : keyword == "bump" || keyword == "map_bump" ? &now().bumpMap
-                                                                                        : nullptr;
-        if (map) *map = parseMtlMap(rest, place_, warnings_);
-        return map != nullptr;
-    }
-
-    /// Statements with a meaning that the engine has no use for.
-    bool isLeftOut(const std::string& keyword, std::string_view rest) {
-        if (isOneOf(keyword, {"map_ks", "map_ns", "map_pr", "map_pm", "map_ps", "map_tr", "refl", "disp", "decal"})) {
-            warnings_.add("textures left out: only map_Kd, map_Ke, map_d, norm and bump are read", place_);
-            return true;
-        }
-        if (isOneOf(keyword, {"ps", "pc", "pcr", "aniso", "anisor"})) {
-            if (parseNumber(takeWord(rest)).value_or(0.0) != 0.0)
-                warnings_.add("sheen, clearcoat and anisotropy left out", place_);
-            return true;
-        }
-        // No part of light transport, or of refraction, which is counted with the illumination model.
-        return isOneOf(keyword, {"ka", "map_ka", "ni", "tf", "sharpness", "map_aat"});
-    }
-
-    MtlMaterial& now() { return materials_.back(); }
-
-    const std::string& file_;
-    Warnings& warnings_;
-    std::string place_;
-    std::vector<MtlMaterial> materials_;
-};
+MtlMaterial materialOf(const tinyobj::material_t& source, const std::string& file, Warnings& warnings) {
+    const std::string place = fmt::format("{}: {}", file, source.name);
+    const auto stated = [&](std::string_view keyword) { return isStated(source, keyword); };
+    const auto map = [&](const std::string& name, const tinyobj::texture_option_t& options) {
+        return mapOf(name, options, place, warnings);
+    };
+    if (source.sheen != 0.0 || source.clearcoat_thickness != 0.0 || source.anisotropy != 0.0)
+        warnings.add("sheen, clearcoat and anisotropy left out", place);
+    return {.name = source.name,
+            .diffuse = colourIf(stated("Kd"), source.diffuse),
+            .highlight = colourIf(stated("Ks"), source.specular),
+            .emission = colourIf(stated("Ke"), source.emission),
+            .exponent = valueIf(stated("Ns"), source.shininess),
+            .opacity = valueIf(stated("d") || stated("Tr"), source.dissolve),
+            .roughness = valueIf(stated("Pr"), source.roughness),
+            .metallic = valueIf(stated("Pm"), source.metallic),
+            .illumination = valueIf(stated("illum"), source.illum),
+            .diffuseMap = map(source.diffuse_texname, source.diffuse_texopt),
+            .emissionMap = map(source.emissive_texname, source.emissive_texopt),
+            .opacityMap = map(source.alpha_texname, source.alpha_texopt),
+            .normalMap = map(source.normal_texname, source.normal_texopt),
+            .bumpMap = map(source.bump_texname, source.bump_texopt)};
+}
 
 }  // namespace
 
 std::vector<MtlMaterial> parseMtl(std::string_view text, const std::string& file, Warnings& warnings) {
-    return MtlParser(file, warnings).parse(text);
+    std::istringstream explicitText(explicitMtl(text, file, warnings));
+    std::map<std::string, int> numbers;
+    std::vector<tinyobj::material_t> sources;
+    std::string ignoredWarnings;  // that d comes before Tr
+    tinyobj::LoadMtl(&numbers, &sources, &explicitText, &ignoredWarnings, nullptr);
+
+    std::vector<MtlMaterial> materials;
+    for (const tinyobj::material_t& source : sources)
+        if (!source.name.empty()) materials.push_back(materialOf(source, file, warnings));  // one has none in no text
+    return materials;
 }
 
 }  // namespace manylight

@@ -40,7 +40,7 @@ struct MtlMaterial {
     std::optional<MtlMap> bumpMap;        // bump, map_bump
 };
 
-/// Parses MTL text; keywords in any case. What cannot be used is counted with file and line.
+/// Parses MTL text by tinyobjloader; keywords in any case. What cannot be used is counted with file and line.
 std::vector<MtlMaterial> parseMtl(std::string_view text, const std::string& file, Warnings& warnings);
 
 }  // namespace manylight

@@ -8,9 +8,8 @@
 #include <limits>
 #include <unordered_map>
 
-// OBJ and MTL are parsed here and in mtl.cpp because tinyobjloader rounds decimal numbers inexactly (a file in another
-// unit would give another picture), takes "nan" and garbage for zero without a word, tells no line numbers and not
-// which statements a material has.
+// OBJ is parsed here because tinyobjloader rounds decimal numbers inexactly (a file in another unit would give another
+// picture), takes "nan" and garbage for zero without a word and tells no line numbers. It does parse MTL: see mtl.cpp.
 
 namespace manylight {
 namespace {
