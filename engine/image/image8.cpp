@@ -20,6 +20,9 @@ namespace manylight {
 
 namespace {
 
+// A byte of a PNG inflates to 1032 at most, a byte of rows has 8 texels at most; the other formats stay far below.
+constexpr uint64_t kMostTexelsPerByte = uint64_t{8} * 1032;
+
 /// Bytes in memory that remember whether the decoder asked for more than there are: stb_image itself fills what
 /// is missing from a truncated JPEG, TGA or BMP with zeros and reports success.
 struct ByteSource {
@@ -50,6 +53,18 @@ constexpr stbi_io_callbacks kByteSourceCallbacks{
     [](void* source, int count) { static_cast<ByteSource*>(source)->skip(static_cast<size_t>(std::max(count, 0))); },
     [](void* source) { return static_cast<int>(static_cast<ByteSource*>(source)->left == 0); }};
 
+/// A header may claim any size: no image of `size` bytes has so many texels as not to be worth the memory for them.
+void checkClaimedSize(const uint8_t* bytes, size_t size, const std::string& nameForErrors) {
+    ByteSource source{bytes, size};
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (!stbi_info_from_callbacks(&kByteSourceCallbacks, &source, &width, &height, &channels)) return;
+    if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > kMostTexelsPerByte * size)
+        fail("{}: image is truncated or damaged: {} bytes cannot hold {} x {} texels", nameForErrors, size, width,
+             height);
+}
+
 }  // namespace
 
 EncodedImage readImage8(const std::filesystem::path& path) {
@@ -59,6 +74,7 @@ EncodedImage readImage8(const std::filesystem::path& path) {
 
 EncodedImage readImage8(const uint8_t* bytes, size_t size, const std::string& nameForErrors) {
     if (size == 0) fail("{}: image is empty, expected PNG, JPEG, TGA or BMP", nameForErrors);
+    checkClaimedSize(bytes, size, nameForErrors);
     ByteSource source{bytes, size};
     int width = 0;
     int height = 0;
