@@ -1,6 +1,5 @@
 #include "engine/scene/gltf_meshes.h"
 
-#include "engine/core/error.h"
 #include "engine/scene/gltf_materials.h"
 
 #include <numeric>
@@ -50,8 +49,7 @@ class PrimitiveReader {
         if (!primitive_.targets.empty()) scene_.warnings.add("morph targets ignored", place_);
         if (primitive_.attributes.contains("COLOR_0")) scene_.warnings.add("vertex colours ignored", place_);
         const size_t firstVertex = scene_.vertices.size();
-        if (firstVertex + positions->size() / 3 > UINT32_MAX)
-            fail("{}: {}: more than 2^32 vertices", gltf_.container.file, place_);
+        checkGltfAmount(gltf_, firstVertex + positions->size() / 3, place_, "vertices");
         addVertices(*positions);
         addTriangles(mode, firstVertex);
     }
@@ -87,6 +85,7 @@ class PrimitiveReader {
         }
         const bool isList = mode == TINYGLTF_MODE_TRIANGLES;
         const size_t count = isList ? indices.size() / 3 : indices.size() < 3 ? 0 : indices.size() - 2;
+        checkGltfAmount(gltf_, scene_.triangles.size() + count, place_, "triangles");
         if (count == 0 || (isList && indices.size() % 3 != 0))
             scene_.warnings.add("primitives with an incomplete triangle", place_);
         const auto material = primitive_.material < 0 ? static_cast<uint32_t>(gltf_.model.materials.size())

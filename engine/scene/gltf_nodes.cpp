@@ -135,17 +135,24 @@ class NodeWalker {
         isVisited_[number] = true;
         const tinygltf::Node& node = gltf_.model.nodes[number];
         const glm::dmat4 sceneFromNode = sceneFromParent * parentFromNode(node);
-        if (node.mesh >= 0)
-            for (const glm::dmat4& nodeFromInstance : instancesOf(gltf_, node))
-                addGltfMesh(gltf_, node.mesh, sceneFromNode * nodeFromInstance, scene_);
+        if (node.mesh >= 0) addInstances(node, fmt::format("nodes[{}]", index), sceneFromNode);
         if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
         if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
             addLight(gltf_, found->second.Get("light").GetNumberAsInt(), sceneFromNode, scene_);
         for (size_t i = node.children.size(); i-- > 0;) stack_.push_back({node.children[i], sceneFromNode});
     }
 
+    void addInstances(const tinygltf::Node& node, const std::string& place, const glm::dmat4& sceneFromNode) {
+        const std::vector<glm::dmat4> instances = instancesOf(gltf_, node);
+        drawnPrimitives_ += instances.size() * gltf_.model.meshes.at(static_cast<size_t>(node.mesh)).primitives.size();
+        checkGltfAmount(gltf_, drawnPrimitives_, place, "drawn primitives");
+        for (const glm::dmat4& nodeFromInstance : instances)
+            addGltfMesh(gltf_, node.mesh, sceneFromNode * nodeFromInstance, scene_);
+    }
+
     const GltfFile& gltf_;
     RawScene& scene_;
+    size_t drawnPrimitives_ = 0;
     std::vector<bool> isVisited_;
     std::vector<Pending> stack_;
 };
