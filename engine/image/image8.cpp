@@ -1,5 +1,6 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/image/image_faults.h"
 #include "engine/image/image_io.h"
 
 // Static, because other libraries of the system carry the same symbols.
@@ -74,6 +75,8 @@ EncodedImage readImage8(const std::filesystem::path& path) {
 
 EncodedImage readImage8(const uint8_t* bytes, size_t size, const std::string& nameForErrors) {
     if (size == 0) fail("{}: image is empty, expected PNG, JPEG, TGA or BMP", nameForErrors);
+    if (const char* const fault = imageFault({bytes, size}))
+        fail("{}: image is truncated or damaged: {}", nameForErrors, fault);
     checkClaimedSize(bytes, size, nameForErrors);
     ByteSource source{bytes, size};
     int width = 0;

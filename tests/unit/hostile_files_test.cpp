@@ -1,6 +1,7 @@
 // Files that ask for more than they are worth: devices, names that no system takes, memory without data behind it.
 #include "engine/core/file.h"
 #include "engine/core/finite.h"
+#include "engine/image/image_faults.h"
 #include "engine/image/image_io.h"
 #include "tests/unit/import_test_support.h"
 
@@ -80,6 +81,26 @@ TEST_F(HostileFiles, AnImageHasNoMoreTexelsThanItsBytesCanHold) {
         EXPECT_THAT(error.what(),
                     HasSubstr("a.tga: image is truncated or damaged: 118 bytes cannot hold 16000 x 16000"));
     }
+}
+
+TEST(ImageFaults, AreWhatTheDecoderWouldNotSurvive) {
+    const auto faultOf = [](std::string_view bytes) {
+        const char* const fault = imageFault({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
+        return std::string(fault ? fault : "");
+    };
+    const auto jpeg = [](const std::string& counts) {
+        return "\xff\xd8\xff\xfe" + std::string("\x00\x06zzzz\xff\xc4\x00\x13\x00", 11) + counts;
+    };
+    EXPECT_EQ(faultOf(jpeg(std::string(16, '\x10') + std::string(256, '\x00'))), "");
+    EXPECT_EQ(faultOf(jpeg(std::string(15, '\x10') + '\x11')), "a Huffman table of more than 256 codes");
+    EXPECT_EQ(faultOf(jpeg("\xff\xff")), "a Huffman table of more than 256 codes");
+    EXPECT_EQ(faultOf('\xff' + jpeg("\xff\xff")), "a Huffman table of more than 256 codes");
+    EXPECT_EQ(faultOf("BM" + jpeg("\xff\xff")), "");
+
+    const std::string png = "\x89PNG\r\n\x1a\n";
+    EXPECT_EQ(faultOf(png + std::string("\0\0\0\1IDATxcrc4\0\0\0\0IENDcrc4", 25)), "");
+    EXPECT_EQ(faultOf(png + std::string("\0\0\0\5IDATxxxx", 12)), "a chunk goes past the end of the file");
+    EXPECT_EQ(faultOf(png + std::string("\0\0\0\0IENDcrc4what follows is no chunk", 33)), "");
 }
 
 TEST_F(HostileFiles, ClaimsWithoutDataDoNotFillTheMemory) {
