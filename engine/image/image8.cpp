@@ -88,6 +88,8 @@ EncodedImage readImage8(const uint8_t* bytes, size_t size, const std::string& na
         fail("{}: not a readable image ({}), expected PNG, JPEG, TGA or BMP", nameForErrors, stbi_failure_reason());
     if (source.exhausted) fail("{}: image is truncated after {} bytes", nameForErrors, size);
 
+    if (width < 1 || height < 1) fail("{}: image has no texels: {} x {}", nameForErrors, width, height);
+
     EncodedImage image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
     image.rgba.assign(texels.get(), texels.get() + size_t{4} * image.width * image.height);
     return image;
