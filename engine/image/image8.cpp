@@ -3,6 +3,8 @@
 #include "engine/image/image_faults.h"
 #include "engine/image/image_io.h"
 
+#include <cstdlib>
+
 // Static, because other libraries of the system carry the same symbols.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -11,6 +13,10 @@
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
 #define STBI_MAX_DIMENSIONS 16384
+// Zeroed memory: a JPEG may use tables that it never defines, and the decoder would look up what was there before.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(pointer, size) std::realloc(pointer, size)
+#define STBI_FREE(pointer) std::free(pointer)
 #include <stb_image.h>
 
 #include <algorithm>
