@@ -4,6 +4,7 @@
 #include "apps/capture/frame_loop.h"
 #include "apps/capture/outputs.h"
 #include "engine/core/file.h"
+#include "engine/core/finite.h"
 #include "engine/scene/import.h"
 #include "engine/techniques/renderer.h"
 
@@ -28,7 +29,7 @@ void writeGraph(Renderer& renderer, const std::string& stem) {
 
 uint64_t countNonFinite(const Image& image) {
     return static_cast<uint64_t>(
-        std::count_if(image.texels.begin(), image.texels.end(), [](float value) { return !std::isfinite(value); }));
+        std::count_if(image.texels.begin(), image.texels.end(), [](float value) { return !hasFiniteBits(value); }));
 }
 
 /// Renders local, global and both with the same settings otherwise; their pictures stand beside each other.
@@ -45,8 +46,8 @@ DisplayImage renderSideBySide(Renderer& renderer, const CaptureOptions& options)
     return besideEachOther(pictures);
 }
 
-/// Where paths end, and what that costs: the share of the light that a closed scene, of this one's mean albedo everywhere,
-/// would lack, and light paths that were cut off in the last frame.
+/// Where paths end, and what that costs: the share of the light that a closed scene, of this one's mean albedo
+/// everywhere, would lack, and light paths that were cut off in the last frame.
 Json depthLimit(const Renderer& renderer) {
     const int bounces = renderer.settings().bounceCount.value_or(0);
     const double albedo = double{renderer.gpuScene().meanAlbedo};

@@ -1,6 +1,7 @@
 #include "apps/compare/pictures.h"
 
 #include "engine/core/error.h"
+#include "engine/core/finite.h"
 #include "engine/core/statistics.h"
 #include "engine/image/image_io.h"
 #include "engine/image/srgb.h"
@@ -69,8 +70,9 @@ std::string writeDifference(const std::filesystem::path& path, const CompareInpu
 }
 
 std::string writeFlipMap(const std::filesystem::path& path, const CompareInputs& inputs, const FlipResult& flip) {
-    writeFalseColour(path, inputs,
-                     [&](size_t i) { return std::isnan(flip.map.texels[i]) ? kNotFinite : magma(flip.map.texels[i]); });
+    writeFalseColour(path, inputs, [&](size_t i) {
+        return hasFiniteBits(flip.map.texels[i]) ? magma(flip.map.texels[i]) : kNotFinite;
+    });
     return fmt::format("{}: FLIP, black 0, purple 0.25, red 0.5, orange 0.75, pale yellow 1\n", path.string());
 }
 

@@ -5,15 +5,20 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace manylight {
+
+/// `text` with a question mark for each control character: names in files may have line ends, or worse, in them.
+std::string printable(std::string_view text);
 
 /// The world's fault. The message is one line: which file or device, the place in it, what was expected.
 /// Caught only in main(), which prints it and exits with `exitCode` (1: world's fault, 2: usage).
 class Error : public std::runtime_error {
   public:
-    explicit Error(const std::string& message, int exitCode = 1) : std::runtime_error(message), exitCode_(exitCode) {}
+    /// Keeps what is printable() of `message`.
+    explicit Error(const std::string& message, int exitCode = 1);
     int exitCode() const { return exitCode_; }
 
   private:

@@ -54,8 +54,17 @@ void writeTextFile(const fs::path& target, std::string_view text) {
     });
 }
 
+bool isRegularFile(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_regular_file(path, ignored);
+}
+
 std::string readTextFile(const fs::path& source) {
-    if (fs::is_directory(source)) fail("{}: is a folder, expected a file", source.string());
+    std::error_code ignored;
+    const fs::file_type type = fs::status(source, ignored).type();
+    if (type == fs::file_type::directory) fail("{}: is a folder, expected a file", source.string());
+    if (type == fs::file_type::character || type == fs::file_type::block || type == fs::file_type::fifo)
+        fail("{}: is a device or a pipe, expected a file", source.string());
     std::ifstream stream(source, std::ios::binary);
     if (!stream) fail("{}: cannot open file", source.string());
     std::string text{std::istreambuf_iterator<char>(stream), {}};

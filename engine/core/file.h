@@ -20,7 +20,10 @@ void requireWritable(const std::filesystem::path& target);
 /// Writes `text` to `target` atomically.
 void writeTextFile(const std::filesystem::path& target, std::string_view text);
 
-/// Whole content of a file. Throws Error naming the file if it cannot be read.
+/// Whether `path` leads to an ordinary file; false too if the system refuses the name.
+bool isRegularFile(const std::filesystem::path& path);
+
+/// Whole content of an ordinary file (a device might never end). Throws Error naming the file if it cannot be read.
 std::string readTextFile(const std::filesystem::path& source);
 
 }  // namespace manylight

@@ -1,5 +1,7 @@
 #include "engine/core/report.h"
 
+#include "engine/core/error.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +12,7 @@ void Warnings::add(std::string_view kind, std::string_view place, uint64_t count
     auto it = entries_.find(kind);
     if (it == entries_.end()) it = entries_.emplace(std::string(kind), Entry{}).first;
     it->second.count += count;
-    if (!place.empty() && it->second.examples.size() < kMaxExamples) it->second.examples.emplace_back(place);
+    if (!place.empty() && it->second.examples.size() < kMaxExamples) it->second.examples.push_back(printable(place));
 }
 
 void Warnings::merge(const Warnings& other) {

@@ -1,13 +1,13 @@
 #include "engine/graph/finite_check.h"
 
+#include "engine/core/finite.h"
+
 #include <cstring>
 
 namespace manylight {
 namespace {
 
 bool isFloat(VkFormat format) { return format == VK_FORMAT_R32G32B32A32_SFLOAT || format == VK_FORMAT_D32_SFLOAT; }
-
-bool isFiniteBits(uint32_t bits) { return (bits & 0x7f800000u) != 0x7f800000u; }
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::optional<NonFinite> findNonFinite(const std::vector<DumpedImage>& dumped) {
         NonFinite found{image.pass, image.resource};
         for (size_t texel = 0; texel < bits.size() / components; ++texel) {
             bool isFinite = true;
-            for (size_t c = 0; c < components; ++c) isFinite = isFinite && isFiniteBits(bits[texel * components + c]);
+            for (size_t c = 0; c < components; ++c) isFinite = isFinite && areFiniteBits(bits[texel * components + c]);
             if (isFinite) continue;
             if (found.texels++ > 0) continue;
             found.x = static_cast<uint32_t>(texel % image.width);

@@ -17,7 +17,7 @@ namespace manylight {
 
 namespace {
 
-constexpr int64_t kMaxPixels = int64_t{1} << 28;  // a damaged header must not make us reserve the whole memory
+constexpr int64_t kMaxPixels = int64_t{1} << 26;  // a damaged header must not make us reserve the whole memory
 
 std::string channelName(const std::string& layer, const std::string& suffix) {
     return layer.empty() ? suffix : layer + "." + suffix;

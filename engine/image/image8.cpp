@@ -1,6 +1,9 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/image/image_faults.h"
 #include "engine/image/image_io.h"
+
+#include <cstdlib>
 
 // Static, because other libraries of the system carry the same symbols.
 #define STB_IMAGE_IMPLEMENTATION
@@ -10,6 +13,10 @@
 #define STBI_ONLY_TGA
 #define STBI_ONLY_BMP
 #define STBI_MAX_DIMENSIONS 16384
+// Zeroed memory: a JPEG may use tables that it never defines, and the decoder would look up what was there before.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(pointer, size) std::realloc(pointer, size)
+#define STBI_FREE(pointer) std::free(pointer)
 #include <stb_image.h>
 
 #include <algorithm>
@@ -19,6 +26,9 @@
 namespace manylight {
 
 namespace {
+
+// A byte of a PNG inflates to 1032 at most, a byte of rows has 8 texels at most; the other formats stay far below.
+constexpr uint64_t kMostTexelsPerByte = uint64_t{8} * 1032;
 
 /// Bytes in memory that remember whether the decoder asked for more than there are: stb_image itself fills what
 /// is missing from a truncated JPEG, TGA or BMP with zeros and reports success.
@@ -50,6 +60,18 @@ constexpr stbi_io_callbacks kByteSourceCallbacks{
     [](void* source, int count) { static_cast<ByteSource*>(source)->skip(static_cast<size_t>(std::max(count, 0))); },
     [](void* source) { return static_cast<int>(static_cast<ByteSource*>(source)->left == 0); }};
 
+/// A header may claim any size: no image of `size` bytes has so many texels as not to be worth the memory for them.
+void checkClaimedSize(const uint8_t* bytes, size_t size, const std::string& nameForErrors) {
+    ByteSource source{bytes, size};
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (!stbi_info_from_callbacks(&kByteSourceCallbacks, &source, &width, &height, &channels)) return;
+    if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > kMostTexelsPerByte * size)
+        fail("{}: image is truncated or damaged: {} bytes cannot hold {} x {} texels", nameForErrors, size, width,
+             height);
+}
+
 }  // namespace
 
 EncodedImage readImage8(const std::filesystem::path& path) {
@@ -59,6 +81,9 @@ EncodedImage readImage8(const std::filesystem::path& path) {
 
 EncodedImage readImage8(const uint8_t* bytes, size_t size, const std::string& nameForErrors) {
     if (size == 0) fail("{}: image is empty, expected PNG, JPEG, TGA or BMP", nameForErrors);
+    if (const char* const fault = imageFault({bytes, size}))
+        fail("{}: image is truncated or damaged: {}", nameForErrors, fault);
+    checkClaimedSize(bytes, size, nameForErrors);
     ByteSource source{bytes, size};
     int width = 0;
     int height = 0;
@@ -68,6 +93,8 @@ EncodedImage readImage8(const uint8_t* bytes, size_t size, const std::string& na
     if (!texels)
         fail("{}: not a readable image ({}), expected PNG, JPEG, TGA or BMP", nameForErrors, stbi_failure_reason());
     if (source.exhausted) fail("{}: image is truncated after {} bytes", nameForErrors, size);
+
+    if (width < 1 || height < 1) fail("{}: image has no texels: {} x {}", nameForErrors, width, height);
 
     EncodedImage image{static_cast<uint32_t>(width), static_cast<uint32_t>(height), {}};
     image.rgba.assign(texels.get(), texels.get() + size_t{4} * image.width * image.height);

@@ -1,5 +1,6 @@
 #include "engine/core/check.h"
 #include "engine/core/file.h"
+#include "engine/core/finite.h"
 #include "engine/image/image_io.h"
 #include "engine/image/srgb.h"
 
@@ -23,7 +24,7 @@ uint8_t encodeChannel(float linear) {
 
 Rgb8 encodeTexel(const float* texel, uint32_t channels) {
     const glm::vec3 linear = channels == 1 ? glm::vec3(texel[0]) : glm::vec3(texel[0], texel[1], texel[2]);
-    if (!std::isfinite(linear.r) || !std::isfinite(linear.g) || !std::isfinite(linear.b)) return kNonFiniteMarker;
+    if (!hasFiniteBits(linear.r) || !hasFiniteBits(linear.g) || !hasFiniteBits(linear.b)) return kNonFiniteMarker;
     return {encodeChannel(linear.r), encodeChannel(linear.g), encodeChannel(linear.b)};
 }
 

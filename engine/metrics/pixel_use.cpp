@@ -1,16 +1,14 @@
 #include "engine/metrics/pixel_use.h"
 
 #include "engine/core/check.h"
-
-#include <bit>
+#include "engine/core/finite.h"
 
 namespace manylight {
 
 bool isFinitePixel(const Image& image, size_t pixel) {
-    constexpr uint32_t kExponent = 0x7f800000u;  // all ones: infinity or NaN, whatever the compiler assumes of floats
     const float* texel = &image.texels[pixel * image.channels];
     for (uint32_t c = 0; c < image.channels; ++c)
-        if ((std::bit_cast<uint32_t>(texel[c]) & kExponent) == kExponent) return false;
+        if (!hasFiniteBits(texel[c])) return false;
     return true;
 }
 

@@ -27,6 +27,15 @@ Json forTinygltf(const Json& checked) {
     return json;
 }
 
+/// Nodes and instances repeat what is stored once, and an accessor may have no data at all: a few bytes could ask for
+/// any amount of memory. A byte may stand for 256 vertices (3000 copies of every vertex, at 12 bytes), and any file for
+/// a million more.
+size_t mostElementsFor(size_t byteCount) {
+    constexpr size_t kPerByte = 256;
+    constexpr size_t kPerFile = size_t{1} << 20;
+    return std::min(kPerFile + kPerByte * byteCount, size_t{UINT32_MAX});
+}
+
 /// tinygltf leaves out what it cannot parse; nothing may be missing.
 void checkNothingLost(const GltfFile& gltf) {
     const Json& json = gltf.container.json;
@@ -66,6 +75,7 @@ RawScene readGltf(const std::filesystem::path& path) {
     gltf.container = openGltf(path, scene.warnings);
     checkGltf(JsonView(gltf.container.json, gltf.container.file), scene.warnings);
     loadGltfBuffers(gltf.container, scene.warnings);
+    gltf.mostElements = mostElementsFor(gltf.container.byteCount);
     gltf.model = parseModel(gltf.container);
     if (gltf.container.json.contains("bufferViews")) gltf.viewCount = gltf.container.json["bufferViews"].size();
     checkNothingLost(gltf);

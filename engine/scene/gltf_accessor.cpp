@@ -72,6 +72,12 @@ void applySparse(const GltfFile& gltf, const tinygltf::Accessor& accessor, size_
 
 }  // namespace
 
+void checkGltfAmount(const GltfFile& gltf, size_t count, std::string_view place, std::string_view what) {
+    if (count > gltf.mostElements)
+        fail("{}: {}: more than {} {}, which is too many for a file of {} bytes", gltf.container.file, place,
+             gltf.mostElements, what, gltf.container.byteCount);
+}
+
 std::pair<const uint8_t*, size_t> gltfViewBytes(const GltfFile& gltf, int bufferView) {
     const tinygltf::BufferView& view = gltf.model.bufferViews.at(static_cast<size_t>(bufferView));
     const GltfBuffer& buffer = gltf.container.buffers.at(static_cast<size_t>(view.buffer));

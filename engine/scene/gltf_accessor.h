@@ -13,8 +13,12 @@ namespace manylight {
 struct GltfFile {
     GltfContainer container;
     tinygltf::Model model;
-    size_t viewCount = 0;  // an accessor whose bufferView is not below has no data: zeros, unless sparse
+    size_t mostElements = 0;  // vertices, triangles or drawn primitives that the scene may get from a file of this size
+    size_t viewCount = 0;     // an accessor whose bufferView is not below has no data: zeros, unless sparse
 };
+
+/// Throws Error if `count` is more than GltfFile::mostElements; `place` and `what` are for its message.
+void checkGltfAmount(const GltfFile& gltf, size_t count, std::string_view place, std::string_view what);
 
 /// All components in element order; normalised integers as [0, 1] or [-1, 1]. Throws Error if a buffer is missing.
 std::vector<double> readGltfNumbers(const GltfFile& gltf, int accessor);

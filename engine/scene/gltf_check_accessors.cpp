@@ -5,7 +5,7 @@ namespace {
 
 constexpr int64_t kMostElements = INT32_MAX;
 // Without data behind it a count is only a claim, and must not be able to fill the memory.
-constexpr int64_t kMostElementsWithoutData = 1 << 24;
+constexpr int64_t kMostElementsWithoutData = 1 << 20;
 
 struct ElementLayout {
     int64_t size = 0;

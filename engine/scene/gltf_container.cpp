@@ -116,6 +116,7 @@ GltfContainer openGltf(const std::filesystem::path& path, Warnings& warnings) {
     gltf.file = path.string();
     gltf.folder = path.parent_path();
     const std::string bytes = readTextFile(path);
+    gltf.byteCount = bytes.size();
     const bool isBinary = path.extension() == ".glb" || path.extension() == ".GLB" || bytes.starts_with("glTF");
     std::string_view json = isBinary ? readChunks(bytes, gltf, warnings) : std::string_view(bytes);
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
@@ -139,6 +140,7 @@ void loadGltfBuffers(GltfContainer& gltf, Warnings& warnings) {
             buffer.fault = error.what();
             warnings.add("buffers not readable", buffer.fault);
         }
+        gltf.byteCount += buffer.bytes.size();
         gltf.buffers.push_back(std::move(buffer));
     }
 }

@@ -22,6 +22,7 @@ struct GltfContainer {
     Json json;
     std::vector<uint8_t> binaryChunk;
     std::vector<GltfBuffer> buffers;
+    size_t byteCount = 0;  // of the file and of its buffers
 };
 
 /// Opens .gltf or .glb. Throws Error for a broken container or JSON.

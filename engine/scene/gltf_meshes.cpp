@@ -1,6 +1,5 @@
 #include "engine/scene/gltf_meshes.h"
 
-#include "engine/core/error.h"
 #include "engine/scene/gltf_materials.h"
 
 #include <numeric>
@@ -51,6 +50,7 @@ class PrimitiveReader {
         if (primitive_.attributes.contains("COLOR_1"))
             scene_.warnings.add("vertex colours beyond the first set ignored", place_);
         const size_t firstVertex = scene_.vertices.size();
+        checkGltfAmount(gltf_, firstVertex + positions->size() / 3, place_, "vertices");
         addVertices(*positions);
         addTriangles(mode, firstVertex);
     }
@@ -91,6 +91,7 @@ class PrimitiveReader {
         }
         const bool isList = mode == TINYGLTF_MODE_TRIANGLES;
         const size_t count = isList ? indices.size() / 3 : indices.size() < 3 ? 0 : indices.size() - 2;
+        checkGltfAmount(gltf_, scene_.triangles.size() + count, place_, "triangles");
         if (count == 0 || (isList && indices.size() % 3 != 0))
             scene_.warnings.add("primitives with an incomplete triangle", place_);
         const auto material = primitive_.material < 0 ? static_cast<uint32_t>(gltf_.model.materials.size())

@@ -151,8 +151,7 @@ class NodeWalker {
         const glm::dmat4 sceneFromNode = sceneFromParent * parentFromNode(node);
         if (node.mesh >= 0) {
             checkSize(index, node);
-            for (const glm::dmat4& nodeFromInstance : instancesOf(gltf_, node))
-                addGltfMesh(gltf_, node.mesh, sceneFromNode * nodeFromInstance, scene_);
+            addInstances(node, fmt::format("nodes[{}]", index), sceneFromNode);
         }
         if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
         if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
@@ -168,8 +167,17 @@ class NodeWalker {
             fail("{}: nodes[{}]: more than {} vertices with all copies", gltf_.container.file, index, kMostVertices);
     }
 
+    void addInstances(const tinygltf::Node& node, const std::string& place, const glm::dmat4& sceneFromNode) {
+        const std::vector<glm::dmat4> instances = instancesOf(gltf_, node);
+        drawnPrimitives_ += instances.size() * gltf_.model.meshes.at(static_cast<size_t>(node.mesh)).primitives.size();
+        checkGltfAmount(gltf_, drawnPrimitives_, place, "drawn primitives");
+        for (const glm::dmat4& nodeFromInstance : instances)
+            addGltfMesh(gltf_, node.mesh, sceneFromNode * nodeFromInstance, scene_);
+    }
+
     const GltfFile& gltf_;
     RawScene& scene_;
+    size_t drawnPrimitives_ = 0;
     std::vector<bool> isVisited_;
     std::vector<Pending> stack_;
 };

@@ -18,12 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Library {
+    fs::path path;  // in normal form
     fs::path folder;
     std::map<std::string, MtlMaterial> materials;
 };
 
 void openLibrary(const fs::path& path, std::vector<Library>& libraries, Warnings& warnings) {
-    Library library{.folder = path.parent_path(), .materials = {}};
+    Library library{.path = path.lexically_normal(), .folder = path.parent_path(), .materials = {}};
+    // Once is enough: a line of names may name one file any number of times.
+    if (std::ranges::find(libraries, library.path, &Library::path) != libraries.end()) return;
     const std::string file = path.filename().string();
     for (MtlMaterial& material : parseMtl(readTextFile(path), file, warnings)) {
         const std::string name = material.name;
@@ -46,12 +49,12 @@ std::string takeFileName(std::string_view& rest) {
 /// An mtllib line may name one file with blanks in its name or several files.
 void openLibraries(const fs::path& folder, const std::string& line, std::vector<Library>& libraries,
                    Warnings& warnings) {
-    if (const fs::path whole = folder / portablePath(line); fs::is_regular_file(whole))
+    if (const fs::path whole = folder / portablePath(line); isRegularFile(whole))
         return openLibrary(whole, libraries, warnings);
     std::string_view rest = line;
     for (std::string name = takeFileName(rest); !name.empty(); name = takeFileName(rest)) {
         const fs::path path = folder / portablePath(name);
-        if (fs::is_regular_file(path))
+        if (isRegularFile(path))
             openLibrary(path, libraries, warnings);
         else
             warnings.add("material libraries missing", name);

@@ -141,7 +141,8 @@ RawScene readSidecar(const std::filesystem::path& path) {
     const std::filesystem::path named = path.parent_path() / root.at("scene").text();
     if (sceneFileKind(named) == SceneFileKind::Sidecar)
         root.at("scene").failExpected("a scene file (.obj, .gltf, .glb), not another sidecar");
-    if (!std::filesystem::exists(named)) root.at("scene").failExpected("an existing file");
+    std::error_code refused;  // a name may be longer than the system takes
+    if (!std::filesystem::exists(named, refused)) root.at("scene").failExpected("an existing file");
 
     RawScene scene = readSceneFile(named);
     if (!own.name.empty()) scene.name = std::move(own.name);

@@ -1,9 +1,11 @@
 #include "apps/bench/stability/findings.h"
 
+#include "engine/core/finite.h"
 #include "engine/core/statistics.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -21,6 +23,8 @@ double sumOf(const Image& image) {
     for (const float value : image.texels) sum += double{value};
     return sum;
 }
+
+bool allFinite(const Image& image) { return std::all_of(image.texels.begin(), image.texels.end(), hasFiniteBits); }
 
 bool sameSize(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && a.texels.size() == b.texels.size();
@@ -65,16 +69,17 @@ Finding allZero(std::string what, const Image& image) {
 Finding notBlack(std::string what, const Image& image) {
     const double sum = sumOf(image);
     return {std::move(what), "light", fmt::format("mean {:.4g}", sum / static_cast<double>(image.texels.size())),
-            verdict(std::isfinite(sum) && sum > 0.0)};
+            verdict(allFinite(image) && sum > 0.0)};
 }
 
 Finding closePictures(std::string what, const Image& image, const Image& reference, double tolerance) {
-    double difference = sameSize(image, reference) ? 0.0 : std::nan("");
-    for (size_t i = 0; i < reference.texels.size() && std::isfinite(difference); ++i)
+    const bool isComparable = sameSize(image, reference) && allFinite(image) && allFinite(reference);
+    double difference = 0.0;
+    for (size_t i = 0; i < reference.texels.size() && isComparable; ++i)
         difference += std::abs(double{image.texels[i]} - double{reference.texels[i]});
     const double relative = difference / sumOf(reference);
     return {std::move(what), fmt::format("differs by {:.0e} at most", tolerance), fmt::format("{:.1e}", relative),
-            verdict(relative <= tolerance)};
+            verdict(isComparable && relative <= tolerance)};
 }
 
 Finding closeTo(std::string what, double measured, double expected, double tolerance) {

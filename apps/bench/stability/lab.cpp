@@ -2,16 +2,14 @@
 
 #include "apps/common/interrupt.h"
 #include "engine/core/error.h"
-
-#include <bit>
+#include "engine/core/finite.h"
 
 namespace manylight {
 namespace {
 
 void requireFinite(const Image& image) {
-    constexpr uint32_t kExponent = 0x7f800000u;
     for (size_t i = 0; i < image.texels.size(); ++i)
-        if ((std::bit_cast<uint32_t>(image.texels[i]) & kExponent) == kExponent)
+        if (!hasFiniteBits(image.texels[i]))
             fail("the picture has a value that is not finite, at pixel ({}, {})", i / 3 % image.width,
                  i / 3 / image.width);
 }
