@@ -123,14 +123,6 @@ class PrimitiveReader {
 
 }  // namespace
 
-size_t gltfVertexCount(const GltfFile& gltf, int mesh) {
-    size_t count = 0;
-    for (const tinygltf::Primitive& primitive : gltf.model.meshes.at(static_cast<size_t>(mesh)).primitives)
-        if (const auto found = primitive.attributes.find("POSITION"); found != primitive.attributes.end())
-            count += gltf.model.accessors.at(static_cast<size_t>(found->second)).count;
-    return count;
-}
-
 void addGltfMesh(const GltfFile& gltf, int mesh, const glm::dmat4& sceneFromNode, RawScene& scene) {
     const tinygltf::Mesh& source = gltf.model.meshes.at(static_cast<size_t>(mesh));
     for (size_t i = 0; i < source.primitives.size(); ++i)

@@ -6,9 +6,6 @@
 
 namespace manylight {
 
-/// Vertices of all primitives of a mesh.
-size_t gltfVertexCount(const GltfFile& gltf, int mesh);
-
 /// Appends one instance of a mesh. A transform that mirrors turns the winding round, so that the front stays in front.
 void addGltfMesh(const GltfFile& gltf, int mesh, const glm::dmat4& sceneFromNode, RawScene& scene);
 

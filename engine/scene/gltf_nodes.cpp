@@ -13,8 +13,6 @@
 namespace manylight {
 namespace {
 
-constexpr size_t kMostVertices = size_t{1} << 26;
-
 using Numbers = std::span<const double>;
 
 /// Scales, then rotates by the quaternion (x, y, z, w), then moves. Empty parts change nothing.
@@ -149,22 +147,11 @@ class NodeWalker {
         isVisited_[number] = true;
         const tinygltf::Node& node = gltf_.model.nodes[number];
         const glm::dmat4 sceneFromNode = sceneFromParent * parentFromNode(node);
-        if (node.mesh >= 0) {
-            checkSize(index, node);
-            addInstances(node, fmt::format("nodes[{}]", index), sceneFromNode);
-        }
+        if (node.mesh >= 0) addInstances(node, fmt::format("nodes[{}]", index), sceneFromNode);
         if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
         if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
             addLight(gltf_, found->second.Get("light").GetNumberAsInt(), sceneFromNode, scene_);
         for (size_t i = node.children.size(); i-- > 0;) stack_.push_back({node.children[i], sceneFromNode});
-    }
-
-    /// A small file may ask for any number of copies of a mesh, or of zeros that need no data.
-    void checkSize(int index, const tinygltf::Node& node) const {
-        const size_t instances = instanceCount(gltf_, node);
-        const size_t room = kMostVertices - std::min(kMostVertices, scene_.vertices.size());
-        if (instances > 0 && std::max<size_t>(gltfVertexCount(gltf_, node.mesh), 1) > room / instances)
-            fail("{}: nodes[{}]: more than {} vertices with all copies", gltf_.container.file, index, kMostVertices);
     }
 
     void addInstances(const tinygltf::Node& node, const std::string& place, const glm::dmat4& sceneFromNode) {

@@ -7,6 +7,16 @@
 namespace manylight::fuzz {
 namespace {
 
+void checkUse(const TextureUse& use, const Scene& scene) {
+    MANYLIGHT_CHECK(use.texture >= kNoTexture);
+    MANYLIGHT_CHECK(use.texture < static_cast<int64_t>(scene.textures.size()));
+    MANYLIGHT_CHECK(use.uvSet <= 1u);
+    for (const glm::vec2& v : {use.uvMatrix[0], use.uvMatrix[1], use.uvOffset}) {
+        MANYLIGHT_CHECK(std::isfinite(v.x));
+        MANYLIGHT_CHECK(std::isfinite(v.y));
+    }
+}
+
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 bool isUnit(const glm::vec3& v) { return std::abs(glm::length(glm::dvec3(v)) - 1.0) < 1e-5; }
@@ -39,8 +49,12 @@ void checkMaterials(const Scene& scene) {
     for (const Material& material : scene.materials) {
         MANYLIGHT_CHECK(isInside(material.albedo, glm::vec3(0.0f), glm::vec3(1.0f)));
         MANYLIGHT_CHECK(isEmission(material.emittedRadiance));
-        MANYLIGHT_CHECK(material.albedoTexture >= kNoTexture);
-        MANYLIGHT_CHECK(material.albedoTexture < static_cast<int64_t>(scene.textures.size()));
+        MANYLIGHT_CHECK(isInside(material.specular, glm::vec3(0.0f), glm::vec3(1.0f)));
+        for (const float share : {material.metallic, material.roughness, material.opacity, material.alphaCutoff})
+            MANYLIGHT_CHECK(isInside(glm::vec3(share), glm::vec3(0.0f), glm::vec3(1.0f)));
+        for (const TextureUse& use : {material.albedoTexture, material.emissionTexture, material.normalTexture,
+                                      material.metallicRoughnessTexture, material.opacityTexture})
+            checkUse(use, scene);
     }
     for (const Texture& texture : scene.textures) {
         MANYLIGHT_CHECK(texture.rgba.size() > 0u);

@@ -82,7 +82,7 @@ TEST(SceneCheck, FindsWhatNoRendererCanUse) {
     EXPECT_TRUE(isFound([](Scene& scene) { scene.vertices[0].uv.y = kNaN; }));
     EXPECT_TRUE(isFound([](Scene& scene) { scene.boundsMax = {4, 4, 0}; }));
     EXPECT_TRUE(isFound([](Scene& scene) { scene.materials[0].albedo.y = 1.5f; }));
-    EXPECT_TRUE(isFound([](Scene& scene) { scene.materials[0].albedoTexture = 0; }));
+    EXPECT_TRUE(isFound([](Scene& scene) { scene.materials[0].albedoTexture.texture = 0; }));
     EXPECT_TRUE(isFound([](Scene& scene) { scene.lights[0].emission.z = -1.0f; }));
     EXPECT_TRUE(isFound([](Scene& scene) { scene.lights[0].cosCutoff = 2.0f; }));
     EXPECT_TRUE(isFound([](Scene& scene) { scene.cameras[0].up = scene.cameras[0].forward; }));
