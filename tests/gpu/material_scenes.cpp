@@ -35,6 +35,10 @@ Scene glossyRoom() {
     lastMaterial(scene).metallic = 1.0f;
     lastMaterial(scene).roughness = 0.45f;
     addSphere(scene, {0.2f, -0.3f, -0.2f}, 0.18f, 3, false, true, metal);
+    for (const size_t wall : {0u, 4u}) {
+        scene.materials[wall].metallic = 1.0f;
+        scene.materials[wall].roughness = 0.4f;
+    }
     Material& floor = scene.materials[2];  // of -y
     floor.specular = glm::vec3(0.05f);
     floor.roughness = 0.5f;

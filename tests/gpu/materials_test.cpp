@@ -19,7 +19,7 @@ struct Case {
 class Materials : public GpuTest, public ::testing::WithParamInterface<Case> {};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Materials,
-                         ::testing::Values(Case{"Glossy", glossyRoom, 0.006, 4},
+                         ::testing::Values(Case{"Glossy", glossyRoom, 0.004, 10},
                                            Case{"Patterned", patternedRoom, 0.0045, 4},
                                            Case{"Translucent", translucentRoom, 0.0045, 8,
                                                 // By its bits a ray is let through or not, and rounding changes them.

@@ -35,7 +35,7 @@ Scene everyKindOfLight();
 Scene sphereInBox();
 /// Two rooms, the camera in one and the lamp in the other: all light comes by way of the door.
 Scene twoRooms();
-/// The box of sphereInBox() with a smooth sphere of rough metal and a floor of varnish.
+/// The box of sphereInBox() with a smooth sphere and two walls of rough metal and a floor of varnish.
 Scene glossyRoom();
 /// sphereInBox() with a lamp whose emission is a texture, an unlit card and walls of many colours.
 Scene patternedRoom();
