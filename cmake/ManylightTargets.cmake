@@ -5,10 +5,15 @@ function(manylight_compile_options target)
   target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
 endfunction()
 
-# The heavy headers that nearly every file meets, parsed once per target.
+# The heavy headers that nearly every file meets, parsed once per target; further ones may be named.
 function(manylight_precompile target)
   target_precompile_headers(${target} PRIVATE <nlohmann/json.hpp> <glm/glm.hpp> <fmt/format.h> <fmt/ranges.h>
-    <algorithm> <filesystem> <functional> <map> <memory> <optional> <string> <vector>)
+    <algorithm> <filesystem> <functional> <map> <memory> <optional> <string> <vector> ${ARGN})
+endfunction()
+
+# For code that calls the engine and computes little itself: a third of the time to compile it.
+function(manylight_quick_to_compile target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 function(manylight_library name)
@@ -31,6 +36,8 @@ function(manylight_program name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*.cpp)
   add_executable(manylight-${name} ${sources})
   manylight_compile_options(manylight-${name})
+  manylight_quick_to_compile(manylight-${name})
+  manylight_precompile(manylight-${name} <CLI/CLI.hpp>)
   target_link_libraries(manylight-${name} PRIVATE ${ARG_LINK})
   target_compile_definitions(manylight-${name} PRIVATE MANYLIGHT_VERSION="${PROJECT_VERSION}")
   install(TARGETS manylight-${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
