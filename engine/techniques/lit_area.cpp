@@ -3,7 +3,6 @@
 #include "shaders/shared/constants.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace manylight {
@@ -41,8 +40,7 @@ std::optional<double> litArea(std::span<const shared::LightData> vpls) {
 
     // The k-th of n points with density n / A lies in a disc of area pi r^2 = Gamma(k) A / n, whose median is k - 1/3.
     const double others = static_cast<double>(points.size() - 1);
-    const double area = double{shared::kPi} * *middle * others / (double{kNeighbours} - 1.0 / 3.0);
-    return std::exp2(std::round(4.0 * std::log2(area)) / 4.0);
+    return double{shared::kPi} * *middle * others / (double{kNeighbours} - 1.0 / 3.0);
 }
 
 }  // namespace manylight
