@@ -1,6 +1,7 @@
 // manylight-bench: timings and errors, as text tables, CSV, JSON and plots.
 #include "apps/bench/error.h"
 #include "apps/bench/fps.h"
+#include "apps/bench/plan/command.h"
 #include "apps/bench/rays.h"
 #include "apps/bench/stability/command.h"
 #include "apps/common/command_line.h"
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
         "  manylight-bench fps scene.obj --vpls 20,200 --shadows off --size 640x360 --plot fps.png\n"
         "  manylight-bench rays courtyard.json --csv rays.csv\n"
         "  manylight-bench error scenes/cornell_box.json --plot error.png\n"
+        "  manylight-bench plan scenes/cornell_box.json courtyard.json\n"
         "  manylight-bench stability --quick\n"
         "  manylight-bench fps --help\n"
         "Exit codes: 0 done, 1 something failed (file, device), 2 wrong usage.");
@@ -28,6 +30,7 @@ int main(int argc, char** argv) {
         addFpsCommand(app),
         addRaysCommand(app),
         addErrorCommand(app),
+        addPlanCommand(app),
         addStabilityCommand(app),
     };
 

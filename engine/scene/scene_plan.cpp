@@ -1,5 +1,7 @@
 #include "engine/scene/scene_plan.h"
 
+#include "engine/core/error.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,16 +10,28 @@
 namespace manylight {
 namespace {
 
+/// What is not left out whatever the scene needs.
+struct Kept {
+    bool everything = false;
+    const std::string& one;
+};
+
 /// Notes the decision and returns whether the thing is needed.
-bool decide(ScenePlan& plan, bool everything, bool needed, const char* what, const std::string& reason,
+bool decide(ScenePlan& plan, const Kept& kept, bool needed, const char* what, const std::string& reason,
             uint64_t savedBytes = 0) {
-    const bool leftOut = !needed && !everything;
-    plan.decisions.push_back({what, leftOut,
-                              needed       ? reason
-                              : everything ? "--plan off"
-                                           : reason,
-                              leftOut ? savedBytes : 0});
+    const bool leftOut = !needed && !kept.everything && kept.one != what;
+    const std::string why = needed || leftOut ? reason : kept.everything ? "--plan off" : "--plan-keeps";
+    plan.decisions.push_back({what, leftOut, why, leftOut ? savedBytes : 0, true});
     return !leftOut;
+}
+
+void refuseUnknown(const ScenePlan& plan, const std::string& keeps) {
+    std::string names;
+    for (const PlanDecision& decision : plan.decisions) {
+        if (keeps.empty() || (keeps == decision.what && decision.canBeKept)) return;
+        if (decision.canBeKept) names += (names.empty() ? "" : ", ") + decision.what;
+    }
+    failUsage("--plan-keeps '{}': expected one of {}", keeps, names);
 }
 
 uint64_t texelBytes(const Scene& scene) {
@@ -32,8 +46,9 @@ bool emits(const Material& material) { return material.emittedRadiance != glm::v
 
 }  // namespace
 
-ScenePlan planScene(const Scene& scene, bool everything) {
+ScenePlan planScene(const Scene& scene, bool everything, const std::string& keeps) {
     ScenePlan plan;
+    const Kept kept{everything, keeps};
     const auto usesMaterial = [&](auto&& predicate) {
         return std::any_of(scene.triangles.begin(), scene.triangles.end(),
                            [&](const Triangle& triangle) { return predicate(scene.materials[triangle.material]); });
@@ -47,12 +62,12 @@ ScenePlan planScene(const Scene& scene, bool everything) {
         });
     };
     const bool textured = usesTexture([](const TextureUse&) { return true; });
-    plan.textured = decide(plan, everything, textured, "textures",
+    plan.textured = decide(plan, kept, textured, "textures",
                            textured ? "a triangle's material has a texture" : "no triangle's material has a texture",
                            scene.triangles.size() * 3 * sizeof(glm::vec2) + texelBytes(scene));
 
     const bool secondUvs = usesTexture([](const TextureUse& use) { return use.uvSet > 0; });
-    plan.uvSets = decide(plan, everything, secondUvs, "second uvs",
+    plan.uvSets = decide(plan, kept, secondUvs, "second uvs",
                          secondUvs ? "a texture is looked up by them" : "no texture is looked up by them",
                          scene.triangles.size() * 3 * sizeof(glm::vec2))
                       ? 2
@@ -60,42 +75,42 @@ ScenePlan planScene(const Scene& scene, bool everything) {
 
     const bool normals = std::any_of(scene.vertices.begin(), scene.vertices.end(),
                                      [](const Vertex& vertex) { return vertex.normal != glm::vec3(0.0f); });
-    plan.shadingNormals = decide(plan, everything, normals, "shading normals",
+    plan.shadingNormals = decide(plan, kept, normals, "shading normals",
                                  normals ? "a vertex has a normal" : "no vertex has a normal: all triangles are flat");
 
     const bool mapped = usesMaterial([](const Material& material) { return material.normalTexture.exists(); });
-    plan.normalMapped = decide(plan, everything, mapped, "normal maps",
+    plan.normalMapped = decide(plan, kept, mapped, "normal maps",
                                mapped ? "a triangle's material has one" : "no triangle's material has one");
 
     const bool glossy = usesMaterial(isGlossy);
-    plan.glossy = decide(plan, everything, glossy, "glossy reflection",
+    plan.glossy = decide(plan, kept, glossy, "glossy reflection",
                          glossy ? "a triangle's material is metallic or specular" : "every triangle is Lambertian");
 
     const bool translucent =
         usesMaterial([](const Material& material) { return material.alphaMode != AlphaMode::Opaque; });
-    plan.alphaTested = decide(plan, everything, translucent, "opacity at hits",
+    plan.alphaTested = decide(plan, kept, translucent, "opacity at hits",
                               translucent ? "a triangle's material is not opaque" : "every triangle is opaque");
 
     const bool culled = usesMaterial([](const Material& material) { return material.culled; });
-    plan.culled = decide(plan, everything, culled, "culling of back faces",
+    plan.culled = decide(plan, kept, culled, "culling of back faces",
                          culled ? "a triangle's material is single-sided" : "every triangle is seen from both sides");
 
     const bool coloured = std::any_of(scene.vertices.begin(), scene.vertices.end(),
                                       [](const Vertex& vertex) { return vertex.colour != glm::vec4(1.0f); });
-    plan.vertexColours = decide(plan, everything, coloured, "vertex colours",
-                                coloured ? "a vertex has a colour" : "all vertices are white",
-                                scene.triangles.size() * 3 * sizeof(uint64_t));
+    plan.vertexColours =
+        decide(plan, kept, coloured, "vertex colours", coloured ? "a vertex has a colour" : "all vertices are white",
+               scene.triangles.size() * 3 * sizeof(uint64_t));
 
     const bool emissionVaries =
         usesMaterial([](const Material& material) { return material.emissionTexture.exists() || material.unlit; });
-    plan.emissionTextured = decide(plan, everything, emissionVaries, "emission that varies over a triangle",
+    plan.emissionTextured = decide(plan, kept, emissionVaries, "emission that varies over a triangle",
                                    emissionVaries ? "a triangle's material has an emission texture, or is unlit"
                                                   : "no triangle's material has an emission texture or is unlit");
 
     const bool emissive = usesMaterial(emits);
     const bool environment = std::any_of(scene.lights.begin(), scene.lights.end(),
                                          [](const Light& light) { return light.type == LightType::Constant; });
-    plan.areaLights = decide(plan, everything, emissive || environment, "samples of area lights",
+    plan.areaLights = decide(plan, kept, emissive || environment, "samples of area lights",
                              emissive      ? "there are emissive triangles"
                              : environment ? "there is an environment"
                                            : "no emissive triangle and no environment");
@@ -107,7 +122,11 @@ ScenePlan planScene(const Scene& scene, bool everything) {
                               scene.triangles.empty() ? "there is no geometry"
                               : paths                 ? "there is light and geometry"
                                                       : "there is no light",
-                              0});
+                              0, false});
+
+    plan.pixelVariance = decide(plan, kept, false, "variance of pixels", "not asked for");
+    plan.cutOff = decide(plan, kept, false, "picture of the light cut off", "not asked for");
+    refuseUnknown(plan, keeps);
     return plan;
 }
 

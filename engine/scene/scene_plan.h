@@ -14,6 +14,7 @@ struct PlanDecision {
     bool leftOut = false;
     std::string reason;
     uint64_t savedBytes = 0;
+    bool canBeKept = true;  // by --plan off; not what is not there
 };
 
 struct ScenePlan {
@@ -28,11 +29,14 @@ struct ScenePlan {
     bool emissionTextured = true;  // emission that varies over a triangle, and unlit materials
     bool areaLights = true;        // samples of emissive triangles and of the environment for direct light
     bool lightPaths = true;        // any light at all, and surfaces to send it to
+    bool pixelVariance = true;     // how far the frames of every pixel scatter
+    bool cutOff = true;            // deferred: a picture of what the bound on the geometry term takes
     std::vector<PlanDecision> decisions;
 };
 
-/// `everything` (--plan off) leaves nothing out; the picture is the same.
-ScenePlan planScene(const Scene& scene, bool everything = false);
+/// `everything` (--plan off) leaves nothing out; the picture is the same. `keeps` (--plan-keeps) names one thing that
+/// is kept though the scene does not need it: throws Error if there is no such decision.
+ScenePlan planScene(const Scene& scene, bool everything = false, const std::string& keeps = {});
 
 /// One line a decision, for --explain.
 std::string explain(const ScenePlan& plan);

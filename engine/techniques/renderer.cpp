@@ -105,7 +105,7 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
     : device_(device),
       reducedScene_(settings.materials == Materials::Diffuse ? std::optional(diffuseOnly(scene)) : std::nullopt),
       scene_(reducedScene_ ? *reducedScene_ : scene),
-      plan_(planScene(scene_, !settings.plan)),
+      plan_(planScene(scene_, !settings.plan, settings.planKeeps)),
       gpuScene_(uploadTimed(device, scene_, plan_, buildTimed(scene_, startupTimes_.bvhBuild), startupTimes_.upload)),
       pipelines_(device),
       executor_(device, pipelines_),
@@ -113,7 +113,8 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
           gpu::Buffer(device, "frame constants",
                       {sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::Upload}),
           {}},
-      statusBuffer_(makeStatusBuffer(device)) {
+      statusBuffer_(makeStatusBuffer(device)),
+      keepsVariance_(plan_.pixelVariance) {
     resolve(settings);
     makeTargets();
 }
@@ -208,7 +209,7 @@ void Renderer::makeTargets() {
     radiance_ = {};
     cutOff_ = {};
     radiance_ = Accumulator(device_, "radiance", width, height, keepsVariance_);
-    if (keepsCutOff_) cutOff_ = Accumulator(device_, "cut off", width, height, false);
+    if (keepsCutOff_ || plan_.cutOff) cutOff_ = Accumulator(device_, "cut off", width, height, false);
     display_.texture = gpu::Texture(device_, "display", {VK_FORMAT_R8G8B8A8_UNORM, width, height, kUsage});
 }
 
@@ -267,7 +268,7 @@ FrameGraph Renderer::declareFrame() {
                              .subgroupSize = device_.subgroupSize(),
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
-                             .keepsCutOff = keepsCutOff_};
+                             .keepsCutOff = keepsCutOff_ || plan_.cutOff};
     const bool showsChannel = settings_.show != Show::Picture && settings_.show != Show::Vpls;
     TechniqueResult result = declareTechnique(graph, scene, inputs, showsChannel);
     if (settings_.show == Show::Vpls && result.vpls && result.depth)
@@ -325,7 +326,7 @@ void Renderer::tuneGather(const Execution& execution) {
 }
 
 void Renderer::keepVariance(bool keeps) {
-    keepsVariance_ = keeps;
+    keepsVariance_ = keeps || plan_.pixelVariance;
     makeTargets();
     frameCount_ = 0;
 }

@@ -114,7 +114,7 @@ const std::vector<Setting>& settingTable() {
         {{"clamp", "off|bound|compensate",
           "leave the geometry term as it is, bound it, or also give back what that takes"},
          [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); }},
-        {{"clamp-bound", "C", "the bound is C * paths^(2/3) / surface area; compensated, C / surface area"},
+        {{"clamp-bound", "C", "the bound is C * paths^(2/3) / A, or C / A if compensated; A is the area that light reaches"},
          [](S& s, T o, T v) { s.clampBound = parseNumber(o, v, 0.0f, 1e30f); }},
         {{"light-samples", "N", "points on area lights and the environment per frame"},
          [](S& s, T o, T v) { s.lightSampleCount = parseInteger<uint32_t>(o, v, 1, 65536); }},
@@ -138,6 +138,8 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.vplDotRadius = parseNumber(o, v, 0.5f, 100.0f); }},
         {{"plan", "on|off", "leave out what the scene does not need"},
          [](S& s, T o, T v) { s.plan = parseSwitch(o, v); }},
+        {{"plan-keeps", "NAME", "one thing, as --explain names it, that is kept though the scene does not need it"},
+         [](S& s, T, T v) { s.planKeeps = v; }},
         {{"check-finite", "on|off", "look for infinities and NaN in what every pass wrote, and end with an error; slow"},
          [](S& s, T o, T v) { s.checkFinite = parseSwitch(o, v); }},
     };
@@ -197,7 +199,8 @@ Json toJson(const RenderSettings& s) {
             {"show", name(s.show)},
             {"exposure", s.exposure},
             {"tone-map", name(s.toneCurve)},
-            {"plan", s.plan}};
+            {"plan", s.plan},
+            {"plan-keeps", s.planKeeps}};
 }
 
 }  // namespace manylight

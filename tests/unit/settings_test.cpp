@@ -82,6 +82,36 @@ TEST(ScenePlan, LeavesOutWhatNoTriangleUsesAndSaysWhy) {
     EXPECT_TRUE(needed.lightPaths);
 }
 
+TEST(ScenePlan, KeepsOneThingIfAskedTo) {
+    Scene scene;
+    scene.vertices.resize(3);
+    scene.triangles = {{{0, 1, 2}, 0}};
+    scene.materials.resize(1);
+    const ScenePlan planned = planScene(scene);
+    for (const PlanDecision& undone : planned.decisions) {
+        if (!undone.canBeKept) {
+            EXPECT_THROW(planScene(scene, false, undone.what), Error);
+            continue;
+        }
+        const ScenePlan plan = planScene(scene, false, undone.what);
+        ASSERT_EQ(plan.decisions.size(), planned.decisions.size());
+        for (size_t i = 0; i < plan.decisions.size(); ++i)
+            EXPECT_EQ(plan.decisions[i].leftOut, planned.decisions[i].leftOut && plan.decisions[i].what != undone.what)
+                << undone.what << ", " << plan.decisions[i].what;
+    }
+    EXPECT_THAT(messageOf([&] { planScene(scene, false, "texture"); }),
+                HasSubstr("--plan-keeps 'texture': expected one of textures, "));
+}
+
+TEST(ScenePlan, LeavesNothingOutIfAskedTo) {
+    Scene scene;
+    scene.vertices.resize(3);
+    scene.triangles = {{{0, 1, 2}, 0}};
+    scene.materials.resize(1);
+    for (const PlanDecision& decision : planScene(scene, true).decisions)
+        EXPECT_EQ(decision.leftOut, !decision.canBeKept) << decision.what;
+}
+
 TEST(GatherTuner, TriesEachCandidateTwiceAndKeepsTheFastestSecondRun) {
     GatherTuner tuner;
     std::vector<uint32_t> tried;

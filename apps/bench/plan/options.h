@@ -1,0 +1,22 @@
+// What `manylight-bench plan` is asked for.
+#pragma once
+
+#include "apps/bench/table_files.h"
+#include "apps/common/command_line.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace manylight {
+
+struct PlanOptions {
+    std::vector<std::filesystem::path> scenes;
+    std::vector<std::string> decisions;  // that are undone, one at a time; empty: all
+    uint32_t frames = 12;                // of every variant, in turns
+    std::string device;
+    TypedSettings settings;
+    TableFiles files;
+};
+
+}  // namespace manylight

@@ -1,0 +1,134 @@
+#include "apps/bench/plan/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace manylight {
+namespace {
+
+double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1u << 20); }
+
+/// Median over frames of the ratio to the planned variant's frame, which ran in the same turn.
+Spread ratioOf(const PlanVariant& variant, const PlanVariant& planned) {
+    std::vector<double> ratios;
+    for (size_t i = 0; i < variant.gpuMilliseconds.size(); ++i)
+        ratios.push_back(variant.gpuMilliseconds[i] / planned.gpuMilliseconds[i]);
+    return spreadOf(ratios);
+}
+
+std::string pictureText(const PictureDifference& difference) {
+    if (difference.sameBytes) return "same bytes";
+    return fmt::format("{:.1e}{}", difference.relative, difference.relative > kPlanTolerance ? " DIFFERS" : "");
+}
+
+/// Passes that take a hundredth of the frame or more, in order.
+std::string passText(const PlanVariant& variant) {
+    const double frame = median(variant.gpuMilliseconds);
+    std::string text;
+    for (const auto& [pass, times] : variant.passes)
+        if (const double milliseconds = median(times); milliseconds >= 0.01 * frame)
+            text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", pass, milliseconds);
+    return text;
+}
+
+std::string sceneText(const PlanScene& scene) {
+    const PlanVariant& planned = scene.variants.front();
+    std::string text =
+        fmt::format("\n{}: {} triangles, {}x{}, {}, {} VPLs\n", scene.file, scene.triangles, scene.settings.width,
+                    scene.settings.height, name(scene.settings.technique), scene.settings.vplCount);
+    text += fmt::format("  {:<38}{:>9}{:>22}{:>9}{:>7}{:>11}{:>9}  {}\n", "kept though not needed", "ms/frame",
+                        "ratio (5 to 95 %)", "MiB", "ratio", "pipelines", "start s", "picture");
+    for (const PlanVariant& variant : scene.variants) {
+        const Spread ratio = ratioOf(variant, planned);
+        text += fmt::format("  {:<38}{:>9.2f}{:>7.3f} ({:.3f} .. {:.3f}){:>9.2f}{:>7.3f}{:>11}{:>9.3f}  {}\n",
+                            variant.name, median(variant.gpuMilliseconds), ratio.median, ratio.p5, ratio.p95,
+                            mebibytes(variant.deviceBytes),
+                            static_cast<double>(variant.deviceBytes) / static_cast<double>(planned.deviceBytes),
+                            variant.pipelines, variant.startSeconds, pictureText(variant.difference));
+    }
+    for (const PlanVariant* variant : {&scene.variants.front(), &scene.variants.back()})
+        text += fmt::format("  ms in the passes, {}: {}\n", variant->name, passText(*variant));
+    for (const PlanVariant& variant : scene.variants)
+        if (!variant.reason.empty() && &variant != &scene.variants.back())
+            text += fmt::format("  left out: {}; {}\n", variant.name, variant.reason);
+    return text;
+}
+
+Json toJson(const PlanVariant& variant, const PlanVariant& planned) {
+    Json passes = Json::object();
+    for (const auto& [pass, times] : variant.passes) passes[pass] = median(times);
+    const Spread time = spreadOf(variant.gpuMilliseconds);
+    const Spread ratio = ratioOf(variant, planned);
+    return {{"kept", variant.name},
+            {"reason", variant.reason},
+            {"milliseconds", {{"median", time.median}, {"p5", time.p5}, {"p95", time.p95}}},
+            {"time_ratio", {{"median", ratio.median}, {"p5", ratio.p5}, {"p95", ratio.p95}}},
+            {"pass_milliseconds", passes},
+            {"device_bytes", variant.deviceBytes},
+            {"pipelines", variant.pipelines},
+            {"start_seconds", variant.startSeconds},
+            {"same_bytes", variant.difference.sameBytes},
+            {"relative_difference", variant.difference.relative}};
+}
+
+}  // namespace
+
+std::string planTable(const PlanRun& run) {
+    const Json& machine = run.machine;
+    const auto [low, high] = std::ranges::minmax(run.calibration);
+    std::string text = fmt::format("What leaving out saves\n  device       {}, Vulkan {}, driver {}\n",
+                                   machine["device"].get<std::string>(), machine["vulkan"].get<std::string>(),
+                                   machine["driver"].get<std::string>());
+    text += fmt::format("  calibration  a C++ loop took {:.1f} to {:.1f} ms: the machine's own noise\n", low, high);
+    for (const PlanScene& scene : run.scenes) text += sceneText(scene);
+    text +=
+        "\nms: GPU time, medians of frames taken in turns; ratios to the plan's own, of frames of the same turn. MiB: "
+        "all\n"
+        "that a renderer allocates. start: renderer and first frame, with warm caches. picture: mean absolute "
+        "difference\n"
+        "over the mean.\n";
+    return text;
+}
+
+std::string planCsv(const PlanRun& run) {
+    std::string text =
+        "scene,kept,milliseconds,time_ratio,device_bytes,pipelines,start_seconds,same_bytes,relative_difference\n";
+    for (const PlanScene& scene : run.scenes)
+        for (const PlanVariant& variant : scene.variants)
+            text += fmt::format("\"{}\",\"{}\",{:.4f},{:.4f},{},{},{:.4f},{},{:.3e}\n", scene.file, variant.name,
+                                median(variant.gpuMilliseconds), ratioOf(variant, scene.variants.front()).median,
+                                variant.deviceBytes, variant.pipelines, variant.startSeconds,
+                                variant.difference.sameBytes, variant.difference.relative);
+    return text;
+}
+
+Json planJson(const PlanOptions& options, const PlanRun& run) {
+    Json scenes = Json::array();
+    for (const PlanScene& scene : run.scenes) {
+        Json variants = Json::array();
+        for (const PlanVariant& variant : scene.variants) variants.push_back(toJson(variant, scene.variants.front()));
+        scenes.push_back({{"scene", scene.name},
+                          {"file", scene.file},
+                          {"triangles", scene.triangles},
+                          {"settings", toJson(scene.settings)},
+                          {"variants", variants}});
+    }
+    return {{"benchmark", "plan"},
+            {"machine", run.machine},
+            {"frames", options.frames},
+            {"calibration_milliseconds", run.calibration},
+            {"interrupted", run.isInterrupted},
+            {"scenes", scenes}};
+}
+
+size_t otherPictures(const PlanRun& run) {
+    size_t count = 0;
+    for (const PlanScene& scene : run.scenes)
+        count += static_cast<size_t>(std::ranges::count_if(scene.variants, [](const PlanVariant& variant) {
+            return !(variant.difference.sameBytes || variant.difference.relative <= kPlanTolerance);
+        }));
+    return count;
+}
+
+}  // namespace manylight
