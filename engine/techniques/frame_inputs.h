@@ -10,6 +10,7 @@ struct FrameInputs {
     const RenderSettings& settings;  // resolved: sizes, counts and bounces are final
     const ScenePlan& plan;
     const GpuScene& gpuScene;
+    uint32_t frame = 0;  // frames before this one
     uint32_t subgroupSize = 32;
     uint32_t pixelsPerInvocation = 4;  // of the gather without shadows
     glm::vec3 environmentRadiance{0.0f};

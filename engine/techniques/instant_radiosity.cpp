@@ -4,6 +4,7 @@
 #include "engine/passes/direct_light.h"
 #include "engine/passes/show_gbuffer.h"
 #include "engine/passes/vpl_light.h"
+#include "engine/passes/vpl_resample.h"
 #include "engine/techniques/lights_of_frame.h"
 
 #include <optional>
@@ -29,6 +30,24 @@ std::optional<uint32_t> channelShown(Show show) {
     }
 }
 
+/// Every pixel from every VPL, or from some of them: the mean is the same.
+ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
+                      const LightsOfFrame& lights, const VplLightOptions& gather, std::optional<ImageHandle> radiance) {
+    const RenderSettings& settings = inputs.settings;
+    const bool resamples = settings.castShadows && settings.shadowRays > 0;
+    if (settings.interleave == 1 && !resamples)
+        return addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, settings.width,
+                           settings.height);
+    return addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
+                          {.vplCount = lights.vplCount,
+                           .castShadows = settings.castShadows,
+                           .shadowRays = resamples ? settings.shadowRays : 0,
+                           .interleave = settings.interleave,
+                           .phase = settings.interleavePhase + inputs.frame,
+                           .subgroupSize = inputs.subgroupSize},
+                          radiance, settings.width, settings.height);
+}
+
 }  // namespace
 
 TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs) {
@@ -50,8 +69,7 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
                            .castShadows = settings.castShadows,
                            .subgroupSize = inputs.subgroupSize,
                            .pixelsPerInvocation = inputs.pixelsPerInvocation};
-    if (lights.vplCount > 0 || !radiance)
-        radiance = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, width, height);
+    if (lights.vplCount > 0 || !radiance) radiance = addGather(graph, scene, inputs, gbuffer, lights, gather, radiance);
     if (lights.vplCount > 0 && settings.clamp == ClampMode::Compensate)
         radiance = addCompensation(graph, scene, inputs.plan, gbuffer, lights.vpls, *radiance, width, height);
     TechniqueResult result{*radiance, gbuffer.depth, lights.list(), std::nullopt};

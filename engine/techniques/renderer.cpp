@@ -154,6 +154,8 @@ void Renderer::resolve(const RenderSettings& settings) {
         fail("--vpls {}: device {} allows at most {} VPLs", settings.vplCount, device_.info().name, mostVpls);
     if (settings.clamp == ClampMode::Compensate && !settings.castShadows)
         failUsage("--clamp compensate: expected --shadows on; light that passes through walls cannot be compensated");
+    if (settings.technique != Technique::Deferred && (settings.interleave > 1 || settings.shadowRays > 0))
+        failUsage("--interleave and --shadow-rays: expected --technique deferred");
     if (settings.technique == Technique::PathTracer && !settings.castShadows)
         failUsage("--technique path-tracer: expected --shadows on");
     if (!settings.clampBound)
@@ -265,6 +267,7 @@ FrameGraph Renderer::declareFrame() {
     const FrameInputs inputs{.settings = settings_,
                              .plan = plan_,
                              .gpuScene = gpuScene_,
+                             .frame = frameCount_,
                              .subgroupSize = device_.subgroupSize(),
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,

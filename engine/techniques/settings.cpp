@@ -1,6 +1,7 @@
 #include "engine/techniques/settings.h"
 
 #include "engine/core/error.h"
+#include "shaders/shared/vpl_resample.h"
 
 #include <fmt/ranges.h>
 
@@ -111,6 +112,10 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.russianRoulette = parseSwitch(o, v); }},
         {{"shadows", "on|off", "shadow rays, also for VPLs"},
          [](S& s, T o, T v) { s.castShadows = parseSwitch(o, v); }},
+        {{"shadow-rays", "N", "rays of a pixel for VPLs, drawn by what they would give (0: one for every VPL); deferred"},
+         [](S& s, T o, T v) { s.shadowRays = parseInteger<uint32_t>(o, v, 0, shared::kMostShadowRays); }},
+        {{"interleave", "N", "pixels gather from one VPL in N * N, neighbours from others; deferred"},
+         [](S& s, T o, T v) { s.interleave = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); }},
         {{"clamp", "off|bound|compensate",
           "leave the geometry term as it is, bound it, or also give back what that takes"},
          [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); }},
@@ -189,6 +194,8 @@ Json toJson(const RenderSettings& s) {
             {"bounces", s.bounceCount.value_or(-1)},
             {"russian-roulette", s.russianRoulette},
             {"shadows", s.castShadows},
+            {"shadow-rays", s.shadowRays},
+            {"interleave", s.interleave},
             {"clamp", name(s.clamp)},
             {"clamp-bound", s.clampBound ? Json(*s.clampBound) : Json()},
             {"light-samples", s.lightSampleCount},

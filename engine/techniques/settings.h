@@ -23,8 +23,8 @@ enum class Lighting : uint8_t {
 };
 
 enum class ClampMode : uint8_t {
-    Off,    // the geometry term as it is: unbiased, with bright spots near VPLs
-    Bound,  // cut at bound * N^(2/3) / area: loses energy, vanishing as paths accumulate
+    Off,         // the geometry term as it is: unbiased, with bright spots near VPLs
+    Bound,       // cut at bound * N^(2/3) / area: loses energy, vanishing as paths accumulate
     Compensate,  // cut at bound / area, and given back by short paths: unbiased, without the bright spots
 };
 
@@ -51,17 +51,20 @@ struct RenderSettings {
     std::optional<int> bounceCount;  // surfaces a light path may meet; empty: the scene's max_depth; -1: unlimited
     bool russianRoulette = true;
     bool castShadows = true;
+    uint32_t shadowRays = 0;          // of a pixel for all its VPLs, drawn by what they would give; 0: one for each
+    uint32_t interleave = 1;          // n: a pixel gathers from one VPL in n * n, neighbours from others
+    uint32_t interleavePhase = 0;     // which, in the first frame
     std::optional<float> clampBound;  // c of the bound; empty: as suits the mode
-    uint32_t lightSampleCount = 16;  // points on area lights and the environment per frame
+    uint32_t lightSampleCount = 16;   // points on area lights and the environment per frame
     uint32_t seed = 0;
-    uint32_t camera = 0;        // index into the scene's cameras
-    float exposure = 0.0f;      // stops
-    float vplDotRadius = 3.0f;  // --show vpls, pixels
+    uint32_t camera = 0;             // index into the scene's cameras
+    float exposure = 0.0f;           // stops
+    float vplDotRadius = 3.0f;       // --show vpls, pixels
     bool continuesSequences = true;  // frames draw from one sequence; otherwise each is a sample of its own
-    bool jitter = false;        // a new place in the pixel for every frame: the 1 x 1 box filter
-    bool plan = true;           // leave out what the scene does not need
-    std::string planKeeps;      // but for one thing, named as in the plan's decisions; for measuring what it costs
-    bool checkFinite = false;   // look at what every pass wrote; slow
+    bool jitter = false;             // a new place in the pixel for every frame: the 1 x 1 box filter
+    bool plan = true;                // leave out what the scene does not need
+    std::string planKeeps;           // but for one thing, named as in the plan's decisions; for measuring what it costs
+    bool checkFinite = false;        // look at what every pass wrote; slow
 };
 
 /// Names as the command line spells them, e.g. "forward-prepass".

@@ -12,15 +12,18 @@ vec3 heldDirection;
 vec3 heldColour;
 vec4 heldGloss[kTexelsPerGloss];
 
-void loadVplBlock(uint base) {
-    const int mine = int((base + gl_SubgroupInvocationID) * kTexelsPerLight);
+// This lane's VPL of the next block.
+void holdVpl(uint index) {
+    const int mine = int(index * kTexelsPerLight);
     heldPosition = imageLoad(vplTexels, mine);
     heldDirection = imageLoad(vplTexels, mine + 1).xyz;
     heldColour = imageLoad(vplTexels, mine + 2).xyz;
     if (!kGlossy) return;
-    const int gloss = int((base + gl_SubgroupInvocationID) * kTexelsPerGloss);
+    const int gloss = int(index * kTexelsPerGloss);
     for (int t = 0; t < int(kTexelsPerGloss); ++t) heldGloss[t] = imageLoad(vplGloss, gloss + t);
 }
+
+void loadVplBlock(uint base) { holdVpl(base + gl_SubgroupInvocationID); }
 
 VplGloss glossOfBlock(uint i) {
     return glossFromTexels(subgroupShuffle(heldGloss[0], i), subgroupShuffle(heldGloss[1], i),

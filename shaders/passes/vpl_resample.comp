@@ -1,0 +1,141 @@
+// The gather with fewer pairs and fewer rays. Interleaved sampling (Keller and Heidrich 2001): neighbouring pixels gather
+// from different subsets of the VPLs. Resampled shadow rays: all VPLs of the subset are weighed without visibility, and
+// rays go to some of them, drawn in proportion to what they would give (Talbot et al. 2005, with the whole set as
+// candidates): the expectation is that of a ray for each.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/prelude.glsl"
+#include "shaders/lib/gbuffer_read.glsl"
+#include "shaders/lib/vpl_list_shuffle.glsl"
+#include "shaders/lib/tile.glsl"
+#include "shaders/lib/random.glsl"
+#include "shaders/shared/vpl_resample.h"
+
+const uint kReceivers = 1u;
+#include "shaders/lib/shade_vpls.glsl"
+
+layout(constant_id = 12) const bool kAddToRadiance = false;
+layout(constant_id = 13) const uint kRays = 4u;  // per pixel; 0: one for each VPL
+
+layout(local_size_x = kVplGroupSize) in;
+layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
+layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
+layout(push_constant, scalar) uniform Push { ResamplePush push; };
+
+const uint kDimensionResampling = 0x30000u;
+
+// Every subsetStep-th VPL of the stretch, from firstOfSubset on.
+uint firstOfSubset;
+uint subsetStep;
+uint subsetSize;
+
+// The same class for all threads of a tile. Its pictures take turns along both axes.
+uvec2 classOfTile(uvec2 tile) { return uvec2(tile.x / push.tilesAcross, tile.y / push.tilesDown); }
+
+void chooseSubset(uvec2 pixelClass) {
+    subsetStep = push.interleave * push.interleave;
+    firstOfSubset = push.firstVpl + (pixelClass.y * push.interleave + pixelClass.x + push.phase) % subsetStep;
+    subsetSize = firstOfSubset < push.endVpl ? (push.endVpl - firstOfSubset + subsetStep - 1u) / subsetStep : 0u;
+}
+
+void loadBlockOfSubset(uint base) {
+    const uint number = base + gl_SubgroupInvocationID;
+    const bool exists = number < subsetSize;
+    holdVpl(exists ? firstOfSubset + number * subsetStep : push.firstVpl);
+    if (exists) return;
+    heldPosition.w = 0.0;
+    if (kGlossy) heldGloss[0].xyz = vec3(0.0);
+}
+
+vec3 sumOfAll(Receiver receiver) {
+    vec3 sum = vec3(0.0);
+    for (uint base = 0u; base < subsetSize; base += kVplBlock) {
+        loadBlockOfSubset(base);
+        for (uint i = 0u; i < kVplBlock; ++i) {
+            const LightData vpl = vplOfBlock(i);
+            sum += arriving(shareOfVpl(receiver, vpl, i, frame.geometryBound), receiver, vpl);
+        }
+    }
+    return sum;
+}
+
+// What a summand is worth in the picture.
+float weight(Receiver receiver, vec3 share) {
+    return dot(share, isGlossy(receiver.bsdf.f90) ? vec3(1.0) : receiver.bsdf.diffuse);
+}
+
+float sumOfWeights(Receiver receiver) {
+    float sum = 0.0;
+    for (uint base = 0u; base < subsetSize; base += kVplBlock) {
+        loadBlockOfSubset(base);
+        for (uint i = 0u; i < kVplBlock; ++i)
+            sum += weight(receiver, shareOfVpl(receiver, vplOfBlock(i), i, frame.geometryBound));
+    }
+    return sum;
+}
+
+// Where the running sum of weights passes (j + u) / kRays of the whole: a stratified draw in the order of the list.
+void drawVpls(Receiver receiver, float total, float u, out uint drawn[kMostShadowRays]) {
+    const float stride = total / float(kRays);
+    float threshold = u * stride;
+    float sum = 0.0;
+    uint count = 0u;
+    uint last = 0u;
+    for (uint base = 0u; base < subsetSize; base += kVplBlock) {
+        loadBlockOfSubset(base);
+        for (uint i = 0u; i < kVplBlock; ++i) {
+            const float w = weight(receiver, shareOfVpl(receiver, vplOfBlock(i), i, frame.geometryBound));
+            if (w <= 0.0) continue;
+            sum += w;
+            last = base + i;
+            for (; count < kRays && sum > threshold; ++count) {
+                drawn[count] = last;
+                threshold = (float(count + 1u) + u) * stride;
+            }
+        }
+    }
+    // Rounding may leave the last threshold above the sum.
+    for (; count < kRays; ++count) drawn[count] = last;
+}
+
+vec3 sumOfDrawn(Receiver receiver, float total, uint drawn[kMostShadowRays]) {
+    vec3 sum = vec3(0.0);
+    for (uint j = 0u; j < kRays; ++j) {
+        const uint index = firstOfSubset + drawn[j] * subsetStep;
+        const LightData vpl = loadVpl(index);
+        const vec3 share = kGlossy ? summandOfGlossyVpl(receiver, vpl, loadGloss(index), frame.geometryBound, false)
+                                   : irradianceOfVpl(receiver, vpl, frame.geometryBound);
+        const float w = weight(receiver, share);
+        const float perDraw = w > 0.0 ? total / (w * float(kRays)) : 0.0;
+        sum += arriving(share * perDraw, receiver, vpl);
+    }
+    return sum;
+}
+
+void main() {
+    // No early return: every lane holds a VPL for the others.
+    const uvec2 tile = gl_WorkGroupID.xy + uvec2(0u, push.firstTileRow);
+    const uvec2 pixelClass = classOfTile(tile);
+    const uvec2 tileOfClass = tile - pixelClass * uvec2(push.tilesAcross, push.tilesDown);
+    const ivec2 inClass = ivec2(tileOfClass) * ivec2(kVplTileWidth, kVplTileHeight) + pixelInTile(gl_LocalInvocationIndex);
+    const ivec2 pixel = inClass * int(push.interleave) + ivec2(pixelClass);
+    chooseSubset(pixelClass);
+    const Receiver receiver = readGBuffer(pixel, true).receiver;
+
+    vec3 sum;
+    if (kRays == 0u) {
+        sum = sumOfAll(receiver);
+    } else {
+        const float total = sumOfWeights(receiver);
+        const uint seed = pixelSeed(frame.seed, pixel);
+        uint drawn[kMostShadowRays];
+        drawVpls(receiver, total, sample2d(frame.frame, seed, kDimensionResampling + push.firstVpl).x, drawn);
+        sum = total > 0.0 ? sumOfDrawn(receiver, total, drawn) : vec3(0.0);
+    }
+    if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
+
+    if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
+    vec3 radiance = float(subsetStep) * radianceFromSum(receiver, sum);
+    if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;
+    imageStore(radianceImage, pixel, vec4(radiance, 1.0));
+}
