@@ -25,9 +25,11 @@ struct ScenePlan {
     bool alphaTested = true;     // surfaces that let some light through: asked at every hit of a ray
     bool culled = true;          // back faces that the camera looks through
     bool vertexColours = true;
-    bool emissionTextured = true;  // emission that varies over a triangle, and unlit materials
-    bool areaLights = true;        // samples of emissive triangles and of the environment for direct light
-    bool lightPaths = true;        // any light at all, and surfaces to send it to
+    bool emissionTextured = true;   // emission that varies over a triangle, and unlit materials
+    bool areaLights = true;         // samples of emissive triangles and of the environment for direct light
+    bool environmentMapped = true;  // surroundings that differ with the direction
+    bool manyEmitters = true;       // more than one to choose from
+    bool lightPaths = true;         // any light at all, and surfaces to send it to
     std::vector<PlanDecision> decisions;
 };
 
