@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 #include <type_traits>
 
@@ -57,8 +58,15 @@ void addSurfaces(Key& key, const Scene& scene) {
 std::string sceneKey(const Scene& scene, const RenderSettings& settings) {
     Key key;
     addSurfaces(key, scene);
-    for (const Light& light : scene.lights)
+    for (const Light& light : scene.lights) {
         key.add(light.type, light.position, light.direction, light.emission, light.cosCutoff, light.cosBeam);
+        if (std::isfinite(light.range)) key.add(light.range);
+    }
+    if (scene.environment) {
+        const Image& map = scene.environment->radiance;
+        key.add(map.width, map.height, scene.environment->turn);
+        key.addBytes(map.texels.data(), map.texels.size() * sizeof(float));
+    }
     const Camera& camera = scene.cameras[settings.camera];
     key.add(camera.origin, camera.forward, camera.up, camera.verticalFov);
     key.add(settings.width, settings.height, settings.materials, settings.lighting, settings.bounceCount.value_or(-1));

@@ -1,5 +1,6 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/image/byte_source.h"
 #include "engine/image/image_faults.h"
 #include "engine/image/image_io.h"
 
@@ -19,8 +20,6 @@
 #define STBI_FREE(pointer) std::free(pointer)
 #include <stb_image.h>
 
-#include <algorithm>
-#include <cstring>
 #include <memory>
 
 namespace manylight {
@@ -30,35 +29,7 @@ namespace {
 // A byte of a PNG inflates to 1032 at most, a byte of rows has 8 texels at most; the other formats stay far below.
 constexpr uint64_t kMostTexelsPerByte = uint64_t{8} * 1032;
 
-/// Bytes in memory that remember whether the decoder asked for more than there are: stb_image itself fills what
-/// is missing from a truncated JPEG, TGA or BMP with zeros and reports success.
-struct ByteSource {
-    const uint8_t* next;
-    size_t left;
-    const char* refillBuffer = nullptr;  // where the first read goes: reads ahead into it may come up short
-    bool exhausted = false;
-
-    int read(char* target, int size) {
-        if (!refillBuffer) refillBuffer = target;
-        const size_t wanted = static_cast<size_t>(size);
-        const size_t count = std::min(wanted, left);
-        if (count == 0 || (count < wanted && target != refillBuffer)) exhausted = true;
-        std::memcpy(target, next, count);
-        skip(count);
-        return static_cast<int>(count);
-    }
-    void skip(size_t count) {
-        if (count > left) exhausted = true;
-        count = std::min(count, left);
-        next += count;
-        left -= count;
-    }
-};
-
-constexpr stbi_io_callbacks kByteSourceCallbacks{
-    [](void* source, char* target, int size) { return static_cast<ByteSource*>(source)->read(target, size); },
-    [](void* source, int count) { static_cast<ByteSource*>(source)->skip(static_cast<size_t>(std::max(count, 0))); },
-    [](void* source) { return static_cast<int>(static_cast<ByteSource*>(source)->left == 0); }};
+constexpr stbi_io_callbacks kCallbacks = byteSourceCallbacks<stbi_io_callbacks>();
 
 /// A header may claim any size: no image of `size` bytes has so many texels as not to be worth the memory for them.
 void checkClaimedSize(const uint8_t* bytes, size_t size, const std::string& nameForErrors) {
@@ -66,7 +37,7 @@ void checkClaimedSize(const uint8_t* bytes, size_t size, const std::string& name
     int width = 0;
     int height = 0;
     int channels = 0;
-    if (!stbi_info_from_callbacks(&kByteSourceCallbacks, &source, &width, &height, &channels)) return;
+    if (!stbi_info_from_callbacks(&kCallbacks, &source, &width, &height, &channels)) return;
     if (static_cast<uint64_t>(width) * static_cast<uint64_t>(height) > kMostTexelsPerByte * size)
         fail("{}: image is truncated or damaged: {} bytes cannot hold {} x {} texels", nameForErrors, size, width,
              height);
@@ -89,7 +60,7 @@ EncodedImage readImage8(const uint8_t* bytes, size_t size, const std::string& na
     int height = 0;
     int storedChannels = 0;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> texels(
-        stbi_load_from_callbacks(&kByteSourceCallbacks, &source, &width, &height, &storedChannels, 4), stbi_image_free);
+        stbi_load_from_callbacks(&kCallbacks, &source, &width, &height, &storedChannels, 4), stbi_image_free);
     if (!texels)
         fail("{}: not a readable image ({}), expected PNG, JPEG, TGA or BMP", nameForErrors, stbi_failure_reason());
     if (source.exhausted) fail("{}: image is truncated after {} bytes", nameForErrors, size);

@@ -26,6 +26,10 @@ void writeExr(const std::filesystem::path& path, const std::vector<ExrLayer>& la
 /// Reads the R, G, B channels (or a single Y replicated) of an EXR as a 3-channel image. Throws Error.
 Image readExr(const std::filesystem::path& path);
 
+/// Reads linear radiance, three channels, from an EXR or a Radiance file (.hdr), told apart by their content. Throws
+/// Error.
+Image readRadianceMap(const std::filesystem::path& path);
+
 /// Reads one named layer with given suffixes. Throws Error listing the channels that exist.
 Image readExrLayer(const std::filesystem::path& path, const std::string& name,
                    const std::vector<std::string>& suffixes);

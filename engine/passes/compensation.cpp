@@ -12,10 +12,12 @@ ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const SceneP
     readSurfaces(pass, scene, PipelineKind::Compute);
     readGBuffer(pass, gbuffer);
     readVpls(pass, vpls, PipelineKind::Compute);
-    pass.read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
+    readEmitters(pass, scene, PipelineKind::Compute);
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
     radiance = pass.write(radiance, Access::ComputeStorageReadWrite, shared::kBindingRadiance);
-    pass.execute([options = surfaceOptions(plan), width, height](PassContext& context) {
+    gpu::Specialisation constants = surfaceOptions(plan);
+    constants.push_back(VK_TRUE);  // shadows: light that is given back is traced
+    pass.execute([options = withEmitterOptions(constants, plan), width, height](PassContext& context) {
         context.dispatch({.shader = "compensation.comp",
                           .groupWidth = shared::kVplTileWidth,
                           .groupHeight = shared::kVplTileHeight,

@@ -17,12 +17,13 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         PassBuilder pass = graph.addPass("direct_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
         readGBuffer(pass, gbuffer);
-        pass.read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
+        readEmitters(pass, scene, PipelineKind::Compute);
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         radiance = pass.write(radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                               shared::kBindingRadiance);
         gpu::Specialisation options = surfaceOptions(plan);
         options.insert(options.end(), {castShadows, 0u, adds});
+        options = withEmitterOptions(options, plan);
         pass.execute([options, push, width, height](PassContext& context) {
             const ComputeKernel kernel{.shader = "direct_light.comp",
                                        .groupWidth = shared::kVplTileWidth,

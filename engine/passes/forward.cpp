@@ -1,5 +1,6 @@
 #include "engine/passes/forward.h"
 
+#include "engine/passes/background.h"
 #include "engine/passes/shading_work.h"
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
@@ -25,9 +26,10 @@ BufferHandle addVplWindow(FrameGraph& graph, BufferHandle vpls, const shared::Sh
     return window;
 }
 
-VkClearValue background(const ForwardOptions& options) {
+/// A map is shown by addBackground(), where alpha is still zero.
+VkClearValue clearValue(const ForwardOptions& options, const ScenePlan& plan) {
     const glm::vec3 radiance = options.showEmission ? options.environmentRadiance : glm::vec3(0.0f);
-    return {.color = {.float32 = {radiance.x, radiance.y, radiance.z, 1.0f}}};
+    return {.color = {.float32 = {radiance.x, radiance.y, radiance.z, plan.environmentMapped ? 0.0f : 1.0f}}};
 }
 
 }  // namespace
@@ -52,10 +54,10 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
         PassBuilder pass = graph.addPass("forward");
         readSurfaces(pass, scene, PipelineKind::Graphics);
         readVpls(pass, vpls, PipelineKind::Graphics);
-        pass.read(scene.emitters, Access::GraphicsStorageRead, shared::kBindingEmitters)
-            .read(window, Access::GraphicsUniform, shared::kBindingVpls);
+        readEmitters(pass, scene, PipelineKind::Graphics);
+        pass.read(window, Access::GraphicsUniform, shared::kBindingVpls);
         scene.status = pass.write(scene.status, Access::GraphicsStorageReadWrite, shared::kBindingStatus);
-        result.radiance = i == 0 ? pass.write(result.radiance, Access::ColorWrite, background(options))
+        result.radiance = i == 0 ? pass.write(result.radiance, Access::ColorWrite, clearValue(options, plan))
                                  : pass.write(result.radiance, Access::ColorBlend);
         const bool seenOnly = prepass.has_value();
         if (seenOnly) {
@@ -68,6 +70,7 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
         }
         gpu::Specialisation constants = common;
         constants.push_back(options.compensates && i == 0);
+        constants = withEmitterOptions(constants, plan);
         const char* const shader = seenOnly           ? "forward_visible.frag"
                                    : plan.alphaTested ? "forward_alpha.frag"
                                                       : "forward.frag";
@@ -80,6 +83,8 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
                          triangleCount * 3, push);
         });
     }
+    if (plan.environmentMapped && options.showEmission)
+        result.radiance = addBackground(graph, scene, plan, result.radiance, width, height);
     return result;
 }
 

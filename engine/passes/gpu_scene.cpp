@@ -72,6 +72,19 @@ void locateEmitters(EmitterTable& table, const Scene& scene, const PackedMateria
     }
 }
 
+void uploadEmitters(GpuScene& gpuScene, const EnvironmentTable& environment, const ScenePlan& plan,
+                    SceneUploader& uploader) {
+    constexpr VkBufferUsageFlags kTexel = VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
+    constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
+    const EmitterTable& table = gpuScene.emitterTable;
+    gpuScene.emitters = uploader.upload("emitters", table.emitters, kTexel, kWords);
+    gpuScene.emitterChoices = uploader.upload(
+        "emitter choices", plan.manyEmitters ? table.choices : std::vector<shared::EmitterChoice>(), kTexel, kWords);
+    gpuScene.environmentTexels =
+        uploader.upload("environment texels", environment.texels, kTexel, VK_FORMAT_R32G32B32A32_SFLOAT);
+    gpuScene.environmentCells = uploader.upload("environment cells", environment.cells, kTexel, kWords);
+}
+
 }  // namespace
 
 GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh) {
@@ -98,7 +111,11 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     gpuScene.triangleCount = static_cast<uint32_t>(scene.triangles.size());
     gpuScene.triangleOrder = bvh.triangleOrder;
     gpuScene.sphere = boundingSphere(scene);
-    gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius);
+    const EnvironmentTable environment = buildEnvironmentTable(scene);
+    gpuScene.environmentSize = environment.size;
+    gpuScene.environmentCellSide = environment.cellSide;
+    gpuScene.environmentTurn = environment.turn;
+    gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius, environment);
     locateEmitters(gpuScene.emitterTable, scene, packed, bvh);
     measureSurfaces(gpuScene, scene);
 
@@ -114,7 +131,7 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     gpuScene.materials = uploader.upload("materials", packed.materials, kStorage);
     gpuScene.textureInfos = uploader.upload("texture infos", packed.textureInfos, kStorage);
     gpuScene.texels = uploader.upload("texels", packed.texels, kTexel, VK_FORMAT_R8G8B8A8_UNORM);
-    gpuScene.emitters = uploader.upload("emitters", gpuScene.emitterTable.emitters, kStorage);
+    uploadEmitters(gpuScene, environment, plan, uploader);
     uploader.finish();
 
     gpuScene.bvhNodeCount = bvh.nodes.size();
@@ -124,7 +141,8 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
                              gpuScene.triangleColours.buffer.size();
     gpuScene.totalBytes = gpuScene.geometryBytes + gpuScene.materials.buffer.size() +
                           gpuScene.textureInfos.buffer.size() + gpuScene.texels.buffer.size() +
-                          gpuScene.emitters.buffer.size();
+                          gpuScene.emitters.buffer.size() + gpuScene.emitterChoices.buffer.size() +
+                          gpuScene.environmentTexels.buffer.size() + gpuScene.environmentCells.buffer.size();
     return gpuScene;
 }
 
@@ -148,7 +166,10 @@ SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& fra
             .materials = importPhysical(graph, "materials", scene.materials),
             .textureInfos = importPhysical(graph, "texture infos", scene.textureInfos),
             .texels = importPhysical(graph, "texels", scene.texels),
-            .emitters = importPhysical(graph, "emitters", scene.emitters)};
+            .emitters = importPhysical(graph, "emitters", scene.emitters),
+            .emitterChoices = importPhysical(graph, "emitter choices", scene.emitterChoices),
+            .environmentTexels = importPhysical(graph, "environment texels", scene.environmentTexels),
+            .environmentCells = importPhysical(graph, "environment cells", scene.environmentCells)};
 }
 
 void readFrame(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {
@@ -169,6 +190,14 @@ void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kin
         .read(scene.textureInfos, storage, shared::kBindingTextureInfos)
         .read(scene.texels, texel, shared::kBindingTexels)
         .read(scene.triangles, compute ? Access::ComputeTexelRead : Access::VertexAndTexels, shared::kBindingTriangles);
+}
+
+void readEmitters(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {
+    const Access texel = kind == PipelineKind::Compute ? Access::ComputeTexelRead : Access::GraphicsTexelRead;
+    pass.read(scene.emitters, texel, shared::kBindingEmitters)
+        .read(scene.emitterChoices, texel, shared::kBindingEmitterChoices)
+        .read(scene.environmentTexels, texel, shared::kBindingEnvironmentTexels)
+        .read(scene.environmentCells, texel, shared::kBindingEnvironmentCells);
 }
 
 }  // namespace manylight

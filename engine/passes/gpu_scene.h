@@ -19,6 +19,12 @@ struct GpuScene {
     PhysicalBuffer textureInfos;
     PhysicalBuffer texels;
     PhysicalBuffer emitters;
+    PhysicalBuffer emitterChoices;     // if there are several emitters
+    PhysicalBuffer environmentTexels;  // if there is a map
+    PhysicalBuffer environmentCells;
+    glm::uvec2 environmentSize{0};  // of EnvironmentTable
+    uint32_t environmentCellSide = 1;
+    float environmentTurn = 0.0f;
 
     uint32_t triangleCount = 0;
     std::vector<uint32_t> triangleOrder;  // leaf order -> Scene::triangles
@@ -49,6 +55,9 @@ struct SceneHandles {
     BufferHandle textureInfos;
     BufferHandle texels;
     BufferHandle emitters;
+    BufferHandle emitterChoices;
+    BufferHandle environmentTexels;
+    BufferHandle environmentCells;
 };
 SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status);
 
@@ -57,6 +66,8 @@ enum class PipelineKind : uint8_t { Compute, Graphics };
 /// Declares that a pass looks up surfaces: frame constants, BVH, triangles (a graphics pass also draws them),
 /// materials and textures.
 void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
+/// Declares that a pass draws emitters, and what the environment shows.
+void readEmitters(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
 /// Declares that a pass reads the frame constants.
 void readFrame(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
 

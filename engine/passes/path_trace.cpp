@@ -38,7 +38,7 @@ ImageHandle addPathTrace(FrameGraph& graph, SceneHandles& scene, const ScenePlan
             const bool suspends = stretch + 1 < stretches;
             PassBuilder pass = graph.addPass("path_trace");
             readSurfaces(pass, scene, PipelineKind::Compute);
-            pass.read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
+            readEmitters(pass, scene, PipelineKind::Compute);
             scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
             states = pass.write(states, resumes ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                                 shared::kBindingPathStates);
@@ -53,6 +53,7 @@ ImageHandle addPathTrace(FrameGraph& graph, SceneHandles& scene, const ScenePlan
                                              .jitter = options.jitter ? 1u : 0u};
             gpu::Specialisation constants = surfaceOptions(plan);
             constants.insert(constants.end(), {resumes, suspends});
+            constants = withEmitterOptions(constants, plan);
             pass.execute([constants, push, width](PassContext& context) {
                 context.dispatch({.shader = "path_trace.comp",
                                   .groupWidth = shared::kVplTileWidth,

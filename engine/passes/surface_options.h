@@ -12,4 +12,11 @@ inline gpu::Specialisation surfaceOptions(const ScenePlan& plan) {
             plan.vertexColours, plan.emissionTextured, plan.uvSets, plan.culled,      0u};
 }
 
+/// Constants 20 and 21, after the pass's own: see shaders/lib/environment.glsl and emitters.glsl.
+inline gpu::Specialisation withEmitterOptions(gpu::Specialisation constants, const ScenePlan& plan) {
+    constants.resize(20);
+    constants.insert(constants.end(), {plan.environmentMapped, plan.manyEmitters});
+    return constants;
+}
+
 }  // namespace manylight

@@ -19,16 +19,16 @@ uint32_t shareBefore(uint32_t total, uint32_t batch, uint32_t batchCount) {
     return static_cast<uint32_t>(uint64_t{total} * batch / batchCount);
 }
 
-void emitPaths(FrameGraph& graph, const SceneHandles& scene, const gpu::Specialisation& surfaceOptions,
-               PathBuffers& paths, const shared::EmissionPush& push) {
+void emitPaths(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, PathBuffers& paths,
+               const shared::EmissionPush& push) {
     PassBuilder pass = graph.addPass("vpl_emission");
     readSurfaces(pass, scene, PipelineKind::Compute);
-    pass.read(scene.emitters, Access::ComputeStorageRead, shared::kBindingEmitters);
+    readEmitters(pass, scene, PipelineKind::Compute);
     paths.rays = pass.write(paths.rays, Access::ComputeStorageWrite, shared::kBindingRays);
     paths.offsets = pass.write(paths.offsets, Access::ComputeStorageWrite, shared::kBindingPathOffsets);
-    pass.execute([surfaceOptions, push](PassContext& context) {
+    pass.execute([options = withEmitterOptions(surfaceOptions(plan), plan), push](PassContext& context) {
         context.dispatch(
-            {.shader = "vpl_emission.comp", .groupWidth = shared::kEmissionGroupSize, .specialisation = surfaceOptions},
+            {.shader = "vpl_emission.comp", .groupWidth = shared::kEmissionGroupSize, .specialisation = options},
             push.pathCount, 1, push);
     });
 }
@@ -68,7 +68,7 @@ VplBuffers addVplEmission(FrameGraph& graph, SceneHandles& scene, const ScenePla
             .paddedVplCount = (isLast ? paddedVplCount(options.vplCount) : endVpl) - firstVpl,
             .russianRoulette = options.russianRoulette ? 1u : 0u,
         };
-        emitPaths(graph, scene, surfaceOptions(plan), paths, push);
+        emitPaths(graph, scene, plan, paths, push);
         addVplBounces(graph, scene, surfaceOptions(plan), paths, push);
         vpls = addVplCompact(graph, scene, surfaceOptions(plan), paths, vpls, push);
     }

@@ -24,7 +24,7 @@ size_t countEmissiveTriangles(const Scene& scene) {
 }
 
 bool hasAnyLight(const Scene& scene) {
-    return countEmissiveTriangles(scene) > 0 ||
+    return countEmissiveTriangles(scene) > 0 || scene.environment ||
            std::any_of(scene.lights.begin(), scene.lights.end(),
                        [](const Light& l) { return l.emission != glm::vec3(0.0f); });
 }
@@ -74,6 +74,7 @@ void fillImportReport(Scene& scene, size_t trianglesRead) {
                               {"materials", scene.materials.size()},
                               {"textures", scene.textures.size()},
                               {"lights", scene.lights.size()},
+                              {"environmentMaps", scene.environment ? 1 : 0},
                               {"emissiveTriangles", countEmissiveTriangles(scene)},
                               {"cameras", scene.cameras.size()}};
 }

@@ -1,5 +1,6 @@
 #include "engine/scene/emitters.h"
 
+#include "engine/scene/alias_table.h"
 #include "engine/scene/texture_mean.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/material.h"
@@ -14,6 +15,7 @@ using shared::Emitter;
 
 constexpr double kPi = shared::kPi;
 constexpr double kDefensiveShare = 0.1;
+constexpr double kSteepestRange = 1e9;  // no two points of a scene are so close: no infinity meets a zero
 
 double meanChannel(glm::vec3 v) { return (double{v.x} + double{v.y} + double{v.z}) / 3.0; }
 
@@ -36,6 +38,7 @@ Emitter fromLight(const Light& light, uint32_t kind) {
     emitter.emission = light.emission;
     emitter.cosCutoff = light.cosCutoff;
     emitter.cosBeam = light.cosBeam;
+    emitter.inverseRange = static_cast<float>(std::min(1.0 / double{light.range}, kSteepestRange));
     emitter.emissionTexture = shared::kNoTexture;
     return emitter;
 }
@@ -59,7 +62,14 @@ Candidate fromLight(const Light& light, double sceneRadius) {
         case LightType::Constant:
             break;
     }
-    return {fromLight(light, shared::kEmitterConstant), emission * 4.0 * kPi * disk, true};
+    return {fromLight(light, shared::kEmitterEnvironment), emission * 4.0 * kPi * disk, true};
+}
+
+Candidate fromMap(const EnvironmentTable& environment, double sceneRadius) {
+    Emitter emitter{};
+    emitter.kind = shared::kEmitterEnvironment;
+    emitter.emissionTexture = shared::kNoTexture;
+    return {emitter, environment.integral * kPi * sceneRadius * sceneRadius, true};
 }
 
 Candidate fromTriangle(const Scene& scene, uint32_t index, double emission) {
@@ -78,30 +88,24 @@ Candidate fromTriangle(const Scene& scene, uint32_t index, double emission) {
     return {emitter, emission * area * kPi, true};
 }
 
-/// Fills probability and cumulative of the chosen fields; the last cumulative is exactly 1.
+/// Fills the chosen field and returns the alias table of the choice, if there is anything to choose.
 template <typename Includes>
-void distribute(std::vector<Candidate>& candidates, Includes includes, float Emitter::*probability,
-                float Emitter::*cumulative) {
+std::vector<AliasSlot> distribute(std::vector<Candidate>& candidates, Includes includes, float Emitter::*probability) {
     double total = 0.0;
     size_t count = 0;
     for (const Candidate& candidate : candidates)
         if (includes(candidate)) total += candidate.power, ++count;
-    double sum = 0.0;
+    std::vector<double> probabilities;
     for (Candidate& candidate : candidates) {
         double p = 0.0;
         if (includes(candidate)) {
             const double share = total > 0.0 ? candidate.power / total : 1.0 / static_cast<double>(count);
             p = (1.0 - kDefensiveShare) * share + kDefensiveShare / static_cast<double>(count);
         }
-        sum += p;
+        probabilities.push_back(p);
         candidate.emitter.*probability = static_cast<float>(p);
-        candidate.emitter.*cumulative = static_cast<float>(std::min(sum, 1.0));
     }
-    // Rounding must not leave a gap at the top that belongs to nobody.
-    for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
-        candidate->emitter.*cumulative = 1.0f;
-        if (includes(*candidate)) break;
-    }
+    return count > 0 ? buildAliasTable(probabilities) : std::vector<AliasSlot>(candidates.size());
 }
 
 }  // namespace
@@ -119,10 +123,12 @@ double meanEmission(const Scene& scene, const Material& material) {
     return meanChannel(glm::vec3(radiance));
 }
 
-EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
+EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius, const EnvironmentTable& environment) {
     std::vector<Candidate> candidates;
     EmitterTable table;
+    if (environment.exists()) candidates.push_back(fromMap(environment, double{sceneRadius}));
     for (const Light& light : scene.lights) {
+        if (light.type == LightType::Constant && environment.exists()) continue;
         candidates.push_back(fromLight(light, double{sceneRadius}));
         if (light.type == LightType::Constant) table.environmentRadiance += light.emission;
     }
@@ -134,10 +140,12 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
 
     std::erase_if(candidates, [](const Candidate& candidate) { return !(candidate.power > 0.0); });
     std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.isArea; });
-    distribute(
-        candidates, [](const Candidate&) { return true; }, &Emitter::probability, &Emitter::cumulative);
-    distribute(
-        candidates, [](const Candidate& c) { return c.isArea; }, &Emitter::areaProbability, &Emitter::areaCumulative);
+    const std::vector<AliasSlot> slots = distribute(
+        candidates, [](const Candidate&) { return true; }, &Emitter::probability);
+    const std::vector<AliasSlot> areaSlots = distribute(
+        candidates, [](const Candidate& c) { return c.isArea; }, &Emitter::areaProbability);
+    for (size_t i = 0; i < candidates.size(); ++i)
+        table.choices.push_back({slots[i].threshold, slots[i].alias, areaSlots[i].threshold, areaSlots[i].alias});
     double areaPower = 0.0;
     for (const Candidate& candidate : candidates) {
         table.emitters.push_back(candidate.emitter);
@@ -147,7 +155,7 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius) {
             ++table.areaLightCount;
         else
             ++table.deltaLightCount;
-        if (candidate.emitter.kind != shared::kEmitterConstant) continue;
+        if (candidate.emitter.kind != shared::kEmitterEnvironment) continue;
         table.environmentProbability += double{candidate.emitter.probability};
         table.areaEnvironmentProbability += double{candidate.emitter.areaProbability};
     }

@@ -44,7 +44,8 @@ void checkLight(const JsonView& light, Warnings& warnings) {
     if (light.has("color")) light.at("color").nonNegative3();
     if (light.has("intensity") && light.at("intensity").number() < 0.0)
         light.at("intensity").failExpected("a number that is not negative");
-    if (light.has("range")) warnings.add("ranges of lights ignored", light.path());
+    if (light.has("range")) light.at("range").positiveNumber();
+    if (light.has("range") && type == "directional") warnings.add("ranges of directional lights ignored", light.path());
     if (type != "spot") return;
     const JsonView spot = light.at("spot").expectObject();
     const double outer = spot.has("outerConeAngle") ? spot.at("outerConeAngle").positiveNumber() : 1.0;

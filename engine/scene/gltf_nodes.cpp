@@ -97,6 +97,7 @@ void addLight(const GltfFile& gltf, int index, const glm::dmat4& sceneFromNode, 
     light.emission = source.intensity * colour;
     light.cosBeam = std::cos(std::min(source.spot.innerConeAngle, source.spot.outerConeAngle));
     light.cosCutoff = std::cos(source.spot.outerConeAngle);
+    if (source.range > 0.0) light.range = source.range;
     scene.lights.push_back(std::move(light));
 }
 

@@ -26,6 +26,7 @@ class JsonView {
     const Json& json() const { return *value_; }
     /// "file: path", for messages and warnings.
     std::string place() const;
+    const std::string& file() const { return *file_; }
     std::string path() const { return path_.empty() ? "top level" : path_; }
     [[noreturn]] void failExpected(std::string_view expected) const;
 

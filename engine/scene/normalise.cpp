@@ -227,6 +227,7 @@ Scene normalise(RawScene&& raw) {
 
     convertMaterials(raw, scene);
     convertLights(raw, scene);
+    convertEnvironment(raw, scene);
     convertCameras(raw, scene);
     addMissingCamera(scene);
     if (raw.lightsAreFinal)

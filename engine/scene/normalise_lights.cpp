@@ -43,6 +43,7 @@ void convertLights(const RawScene& raw, Scene& scene) {
         light.emission = repairedEmission(source.emission * unitChange, source.name, scene.warnings);
         light.cosCutoff = static_cast<float>(source.cosCutoff);
         light.cosBeam = static_cast<float>(source.cosBeam);
+        if (hasPosition) light.range = static_cast<float>(std::ldexp(source.range, -scene.frame.exponent));
         if (light.type == LightType::Spot && light.cosCutoff >= 1.0f)
             scene.warnings.add("spot lights without light: cutoff narrower than single precision can tell",
                                source.name);

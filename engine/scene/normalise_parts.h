@@ -12,6 +12,8 @@ glm::vec3 repairedEmission(const glm::dvec3& emission, const std::string& name, 
 
 void convertMaterials(const RawScene& raw, Scene& scene);
 void convertLights(const RawScene& raw, Scene& scene);
+/// An environment map without light is left out, counted.
+void convertEnvironment(const RawScene& raw, Scene& scene);
 void convertCameras(const RawScene& raw, Scene& scene);
 
 /// A view of the whole bounds, if the scene has no camera.

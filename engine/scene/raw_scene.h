@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,16 @@ struct RawLight {
     glm::dvec3 emission{0.0};
     double cosCutoff = -1.0;
     double cosBeam = -1.0;
+    double range = std::numeric_limits<double>::infinity();
+};
+
+/// The fields of EnvironmentMap as a file says them: `radiance` is not yet checked, `scale` multiplies it.
+struct RawEnvironment {
+    std::string name;
+    std::filesystem::path file;
+    Image radiance;
+    glm::dvec3 scale{1.0};
+    double turn = 0.0;
 };
 
 /// A black quad center +- u +- v that emits towards cross(u, v) only. `u` and `v` are half edges.
@@ -80,6 +91,7 @@ struct RawScene {
     std::vector<Texture> textures;
     std::vector<RawLight> lights;
     std::vector<RawRectLight> rectLights;
+    std::optional<RawEnvironment> environment;
     std::vector<RawCamera> cameras;
     bool lightsAreFinal = false;  // the user listed the lights: add none, even if there are none
     std::optional<int> maxDepth;

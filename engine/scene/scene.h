@@ -2,12 +2,14 @@
 #pragma once
 
 #include "engine/core/report.h"
+#include "engine/image/image.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -103,6 +105,18 @@ struct Light {
     glm::vec3 emission{0.0f};
     float cosCutoff = -1.0f;  // spot: dark outside; linear in angle between beam and cutoff
     float cosBeam = -1.0f;    // spot: full intensity inside
+    /// Point, spot: normalised frame; irradiance falls to zero at this distance, as rangeWindow() in
+    /// shaders/lib/range.glsl has it.
+    float range = std::numeric_limits<float>::infinity();
+};
+
+/// Surroundings that differ with the direction. Adds to lights of type Constant.
+struct EnvironmentMap {
+    std::string name;
+    /// Three channels of radiance, finite and not negative. Equirectangular: rows run from +Y down to -Y; without a
+    /// turn the middle of a row is at -Z and what is right of it at +X, as a camera that looks along -Z sees it.
+    Image radiance;
+    float turn = 0.0f;  // about +Y, counter-clockwise seen from above, as a share of a circle
 };
 
 /// Pinhole. All vectors in the normalised frame; `forward` and `up` are unit and perpendicular.
@@ -127,6 +141,7 @@ struct Scene {
     std::vector<Material> materials;  // at least one if there are triangles
     std::vector<Texture> textures;
     std::vector<Light> lights;
+    std::optional<EnvironmentMap> environment;
     std::vector<Camera> cameras;  // at least one: the importer adds a default and says so
     std::optional<int> maxDepth;  // sidecar's max_depth: -1 unlimited, 1 emission, 2 direct, 3 one bounce
 

@@ -1,6 +1,7 @@
 #include "engine/scene/scene_plan.h"
 
 #include "engine/core/error.h"
+#include "shaders/shared/lights.h"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,13 @@ uint64_t texelBytes(const Scene& scene) {
 bool isGlossy(const Material& material) { return material.metallic > 0.0f || material.specular != glm::vec3(0.0f); }
 
 bool emits(const Material& material) { return material.emittedRadiance != glm::vec3(0.0f); }
+
+size_t countEmitters(const Scene& scene) {
+    const auto triangles = std::count_if(scene.triangles.begin(), scene.triangles.end(), [&](const Triangle& triangle) {
+        return emits(scene.materials[triangle.material]);
+    });
+    return static_cast<size_t>(triangles) + scene.lights.size() + (scene.environment ? 1 : 0);
+}
 
 }  // namespace
 
@@ -108,15 +116,29 @@ ScenePlan planScene(const Scene& scene, bool everything, const std::string& keep
                                                   : "no triangle's material has an emission texture or is unlit");
 
     const bool emissive = usesMaterial(emits);
-    const bool environment = std::any_of(scene.lights.begin(), scene.lights.end(),
-                                         [](const Light& light) { return light.type == LightType::Constant; });
+    const bool hasMap = scene.environment.has_value();
+    // Nothing to look up is nothing to look up, as with light paths below.
+    plan.environmentMapped = hasMap;
+    plan.decisions.push_back(
+        {"environment map", !hasMap,
+         hasMap ? "the surroundings differ with the direction" : "the surroundings are the same everywhere", 0, false});
+
+    const size_t emitters = countEmitters(scene);
+    plan.manyEmitters =
+        decide(plan, kept, emitters > 1, "alias table of emitters",
+               emitters > 1 ? fmt::format("there are {} to choose from", emitters) : "there is nothing to choose from",
+               emitters * sizeof(shared::EmitterChoice));
+
+    const bool environment = hasMap || std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+                                 return light.type == LightType::Constant;
+                             });
     plan.areaLights = decide(plan, kept, emissive || environment, "samples of area lights",
                              emissive      ? "there are emissive triangles"
                              : environment ? "there is an environment"
                                            : "no emissive triangle and no environment");
 
     // Nothing to trace is nothing to trace: --plan off cannot bring light into a scene without any.
-    const bool paths = !scene.triangles.empty() && (emissive || !scene.lights.empty());
+    const bool paths = !scene.triangles.empty() && (emissive || hasMap || !scene.lights.empty());
     plan.lightPaths = paths;
     plan.decisions.push_back({"light paths", !paths,
                               scene.triangles.empty() ? "there is no geometry"

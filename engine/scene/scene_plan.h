@@ -26,11 +26,13 @@ struct ScenePlan {
     bool alphaTested = true;     // surfaces that let some light through: asked at every hit of a ray
     bool culled = true;          // back faces that the camera looks through
     bool vertexColours = true;
-    bool emissionTextured = true;  // emission that varies over a triangle, and unlit materials
-    bool areaLights = true;        // samples of emissive triangles and of the environment for direct light
-    bool lightPaths = true;        // any light at all, and surfaces to send it to
-    bool pixelVariance = true;     // how far the frames of every pixel scatter
-    bool cutOff = true;            // deferred: a picture of what the bound on the geometry term takes
+    bool emissionTextured = true;   // emission that varies over a triangle, and unlit materials
+    bool areaLights = true;         // samples of emissive triangles and of the environment for direct light
+    bool environmentMapped = true;  // surroundings that differ with the direction
+    bool manyEmitters = true;       // more than one to choose from
+    bool lightPaths = true;         // any light at all, and surfaces to send it to
+    bool pixelVariance = true;      // how far the frames of every pixel scatter
+    bool cutOff = true;             // deferred: a picture of what the bound on the geometry term takes
     std::vector<PlanDecision> decisions;
 };
 

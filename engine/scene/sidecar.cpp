@@ -1,16 +1,19 @@
 #include "engine/scene/sidecar.h"
 
 #include "engine/core/file.h"
+#include "engine/image/image_io.h"
 #include "engine/scene/json_view.h"
 #include "engine/scene/scene_file.h"
 
 #include <cmath>
+#include <limits>
 
 namespace manylight {
 namespace {
 
 constexpr int kLargestSide = 1 << 16;
 constexpr int kLargestDepth = 1 << 20;
+constexpr size_t kMostEnvironmentTexels = size_t{1} << 25;  // half a gigabyte on the device
 
 double angle(const JsonView& degrees, double least, double most) {
     const double value = degrees.number();
@@ -45,8 +48,12 @@ RawCamera readCamera(const JsonView& view) {
     return camera;
 }
 
+double readRange(const JsonView& view) {
+    return view.has("range") ? view.at("range").positiveNumber() : std::numeric_limits<double>::infinity();
+}
+
 RawLight readSpot(const JsonView& view) {
-    view.expectKeys({"type", "name", "position", "direction", "cutoff_deg", "beam_deg", "intensity"});
+    view.expectKeys({"type", "name", "position", "direction", "cutoff_deg", "beam_deg", "intensity", "range"});
     const double cutoff = angle(view.at("cutoff_deg"), 0.001, 180.0);
     const double beam = angle(view.at("beam_deg"), 0.0, 180.0);
     if (beam > cutoff) view.at("beam_deg").failExpected("an angle no larger than cutoff_deg");
@@ -56,7 +63,8 @@ RawLight readSpot(const JsonView& view) {
             .direction = nonZero3(view.at("direction")),
             .emission = view.at("intensity").nonNegative3(),
             .cosCutoff = std::cos(cutoff),
-            .cosBeam = std::cos(beam)};
+            .cosBeam = std::cos(beam),
+            .range = readRange(view)};
 }
 
 RawRectLight readRectLight(const JsonView& view) {
@@ -71,6 +79,26 @@ RawRectLight readRectLight(const JsonView& view) {
     return rect;
 }
 
+/// All but the image, which is read last: see readEnvironmentImage().
+RawEnvironment readEnvironment(const JsonView& view, const std::filesystem::path& folder) {
+    view.expectKeys({"type", "name", "image", "scale", "rotation_deg"});
+    RawEnvironment environment;
+    environment.file = folder / view.at("image").text();
+    std::error_code refused;  // a name may be longer than the system takes
+    if (!std::filesystem::is_regular_file(environment.file, refused)) view.at("image").failExpected("an existing file");
+    if (view.has("scale")) environment.scale = view.at("scale").nonNegative3();
+    if (view.has("rotation_deg")) environment.turn = view.at("rotation_deg").number() / 360.0;
+    return environment;
+}
+
+Image readEnvironmentImage(const std::filesystem::path& file) {
+    Image image = readRadianceMap(file);
+    if (size_t{image.width} * image.height > kMostEnvironmentTexels)
+        fail("{}: {} x {} texels, expected {} at most of an environment map", file.string(), image.width, image.height,
+             kMostEnvironmentTexels);
+    return image;
+}
+
 void readLight(const JsonView& view, size_t index, RawScene& scene) {
     const std::string type = view.at("type").text();
     const std::string name = optionalName(view, fmt::format("{} {}", type, index));
@@ -79,11 +107,18 @@ void readLight(const JsonView& view, size_t index, RawScene& scene) {
         scene.rectLights.back().name = name;
         return;
     }
+    if (type == "environment") {
+        if (scene.environment) view.at("type").failExpected("no second environment");
+        scene.environment = readEnvironment(view, std::filesystem::path(view.file()).parent_path());
+        scene.environment->name = name;
+        return;
+    }
     RawLight light;
     if (type == "point") {
-        view.expectKeys({"type", "name", "position", "intensity"});
+        view.expectKeys({"type", "name", "position", "intensity", "range"});
         light.position = view.at("position").vector3();
         light.emission = view.at("intensity").nonNegative3();
+        light.range = readRange(view);
     } else if (type == "spot") {
         light = readSpot(view);
     } else if (type == "directional") {
@@ -96,7 +131,7 @@ void readLight(const JsonView& view, size_t index, RawScene& scene) {
         light.type = LightType::Constant;
         light.emission = view.at("radiance").nonNegative3();
     } else {
-        view.at("type").failExpected("point, spot, directional, rect_area or constant");
+        view.at("type").failExpected("point, spot, directional, rect_area, constant or environment");
     }
     light.name = name;
     scene.lights.push_back(std::move(light));
@@ -151,6 +186,7 @@ RawScene readSidecar(const std::filesystem::path& path) {
     scene.settings = std::move(own.settings);
     if (!own.cameras.empty()) scene.cameras = std::move(own.cameras);
     replaceLights(root, scene);
+    if (scene.environment) scene.environment->radiance = readEnvironmentImage(scene.environment->file);
     return scene;
 }
 

@@ -254,6 +254,9 @@ void Renderer::writeFrameConstants() {
     frame.areaPowerShare = static_cast<float>(table.areaPowerShare);
     frame.areaEqualShare = static_cast<float>(table.areaEqualShare);
     frame.areaEnvironmentProbability = static_cast<float>(table.areaEnvironmentProbability);
+    frame.environmentSize = gpuScene_.environmentSize;
+    frame.environmentCellSide = gpuScene_.environmentCellSide;
+    frame.environmentTurn = gpuScene_.environmentTurn;
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
 }
 

@@ -30,12 +30,14 @@ vec3 sumOfEmitters(Receiver y, float product, uint seed, uint dimension) {
     vec3 sum = vec3(0.0);
     for (uint s = 0u; s < kLightsAsked; ++s) {
         const uint index = frame.frame * kLightsAsked + s;
-        const Emitter emitter = emitters[chooseEmitter(sample2d(index, seed, dimension).x, false)];
-        const float weight = 1.0 / (emitter.probability * float(kLightsAsked));
-        const bool isArea = emitter.kind == kEmitterTriangle || emitter.kind == kEmitterConstant;
+        const Emitter emitter = loadEmitter(chooseEmitter(sampleBits(index, seed, dimension).x, false));
+        const float probability = emitter.probability * float(kLightsAsked);
+        const bool isArea = emitter.kind == kEmitterTriangle || emitter.kind == kEmitterEnvironment;
         LightData light = deltaLight(emitter);
-        if (isArea) light = sampleOfEmitter(emitter, sample2d(index, seed, dimension + 1u), weight);
-        else light.intensity *= weight;
+        if (isArea)
+            light = sampleOfEmitter(emitter, sampleBits(index, seed, dimension + 1u),
+                                    sampleInCell(index, seed, dimension + 5u), probability).light;
+        else light.intensity *= 1.0 / probability;
         const vec3 direction = directionTo(light, y);
         const vec3 reflected = summand(y, irradianceOfLight(y, light), direction);
         sum += arriving(cutOffAtY(y, reflected, direction, product), y, light);

@@ -2,6 +2,7 @@
 #ifndef MANYLIGHT_EMISSION_SEEN_GLSL
 #define MANYLIGHT_EMISSION_SEEN_GLSL
 #include "shaders/lib/camera.glsl"
+#include "shaders/lib/environment.glsl"
 
 // Unlit materials are seen as they are; others show what their front side emits.
 vec3 emissionSeenAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
@@ -13,8 +14,8 @@ vec3 emissionSeenAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
 
 // Beyond the scene is the environment.
 vec3 emissionSeenBy(ivec2 pixel, bool isSurface, uint triangle) {
-    if (!isSurface) return frame.environmentRadiance;
     const vec3 direction = cameraDirection(pixel);
+    if (!isSurface) return radianceOfEnvironment(normalize(direction));
     vec2 barycentrics = vec2(0.0);
     if (kEmissionTextured) barycentrics = barycentricsOfPixel(loadTriangle(triangle), frame.cameraPosition, direction);
     return emissionSeenAt(triangle, barycentrics, -direction);

@@ -2,6 +2,7 @@
 #ifndef MANYLIGHT_EMITTER_RADIANCE_GLSL
 #define MANYLIGHT_EMITTER_RADIANCE_GLSL
 #include "shaders/lib/emitters.glsl"
+#include "shaders/lib/environment.glsl"
 #include "shaders/lib/surface.glsl"
 
 // Radiance that leaves pointOnTriangle(emitter, u).

@@ -7,6 +7,7 @@
 const uint kDimensionOfLight = 0x10000u;
 const uint kDimensionOnLight = 0x10001u;
 const uint kDimensionReflected = 0x10002u;
+const uint kDimensionInCell = 0x10004u;
 
 LightData lightFrom(vec3 spectrum, uint kind) {
     LightData light;
@@ -19,7 +20,7 @@ LightData lightFrom(vec3 spectrum, uint kind) {
     light.cosBeam = 1.0;
     light.depth = 0u;
     light.pathIndex = 0u;
-    light.unused = 0u;
+    light.inverseRange = 0.0;
     return light;
 }
 
@@ -29,40 +30,53 @@ LightData deltaLight(Emitter emitter) {
     light.direction = emitter.edge1;
     light.cosCutoff = emitter.cosCutoff;
     light.cosBeam = emitter.cosBeam;
+    light.inverseRange = emitter.inverseRange;
     return light;
 }
 
-// A point on an area light, or a direction of the environment, as a light. `weight` is 1 / (probability of the emitter *
-// number of samples).
-LightData sampleOfEmitter(Emitter emitter, vec2 u, float weight) {
-    if (emitter.kind == kEmitterConstant) {
-        // Uniform over the sphere: radiance / (1 / 4 pi) arrives as if it were parallel.
-        LightData light = lightFrom(emitter.emission * weight * (4.0 * kPi), kLightDirectional);
-        light.direction = squareToCone(u, -1.0);
-        return light;
-    }
-    LightData light = lightFrom(radianceOfTriangle(emitter, u) * weight * emitter.area, kLightSurface);
-    light.position = pointOnTriangle(emitter, u);
-    light.direction = normalOfTriangle(emitter);
-    return light;
-}
-
-// A sample among several of the same kind. `density` of them all: per area of a triangle, per solid angle of the
-// environment.
+// A point on an area light, or a direction of the environment, as a light, and the density of the choice: per area of a
+// triangle, per solid angle of the environment.
 struct AreaSample {
     LightData light;
     float density;
 };
 
+// Radiance over density arrives as if it were parallel. Without a map: uniform over the sphere, density 1 / 4 pi.
+AreaSample sampleOfEnvironment(Emitter emitter, uvec2 bits, vec2 inCell, float probability) {
+    if (!kEnvironmentMapped) {
+        LightData light = lightFrom(emitter.emission * (1.0 / probability) * (4.0 * kPi), kLightDirectional);
+        light.direction = squareToCone(unitFloats(bits), -1.0);
+        return AreaSample(light, probability / (4.0 * kPi));
+    }
+    const EnvironmentSample drawn = sampleEnvironmentMap(bits, inCell);
+    const float density = probability * drawn.density;
+    LightData light = lightFrom(density > 0.0 ? drawn.radiance / density : vec3(0.0), kLightDirectional);
+    light.direction = -drawn.direction;
+    return AreaSample(light, density);
+}
+
+// `probability`: of the emitter, times the number of samples. `inCell` is for maps of environments only.
+AreaSample sampleOfEmitter(Emitter emitter, uvec2 bits, vec2 inCell, float probability) {
+    if (emitter.kind == kEmitterEnvironment) return sampleOfEnvironment(emitter, bits, inCell, probability);
+    const vec2 u = unitFloats(bits);
+    LightData light = lightFrom(radianceOfTriangle(emitter, u) * (1.0 / probability) * emitter.area, kLightSurface);
+    light.position = pointOnTriangle(emitter, u);
+    light.direction = normalOfTriangle(emitter);
+    return AreaSample(light, probability / emitter.area);
+}
+
+// Two numbers for a place in a cell of the environment's map; costs nothing without one.
+vec2 sampleInCell(uint index, uint seed, uint dimension) {
+    return kEnvironmentMapped ? sample2d(index, seed, dimension) : vec2(0.0);
+}
+
 // Sample s of this frame's lightSampleCount. `seed` tells receivers apart.
 AreaSample sampleOfArea(uint s, uint seed) {
     const uint index = frame.frame * frame.lightSampleCount + s;
-    const vec2 uEmitter = sample2d(index, seed, kDimensionOfLight);
-    const vec2 uPoint = sample2d(index, seed, kDimensionOnLight);
-    const Emitter emitter = emitters[chooseEmitter(uEmitter.x, true)];
-    const float density = emitter.areaProbability * float(frame.lightSampleCount);
-    return AreaSample(sampleOfEmitter(emitter, uPoint, 1.0 / density),
-                      density / (emitter.kind == kEmitterTriangle ? emitter.area : 4.0 * kPi));
+    const Emitter emitter = loadEmitter(chooseEmitter(sampleBits(index, seed, kDimensionOfLight).x, true));
+    return sampleOfEmitter(emitter, sampleBits(index, seed, kDimensionOnLight),
+                           sampleInCell(index, seed, kDimensionInCell),
+                           emitter.areaProbability * float(frame.lightSampleCount));
 }
 
 // Per solid angle at `position`.
@@ -82,8 +96,11 @@ struct EmissionMet {
 
 EmissionMet emissionMetBy(Hit hit, vec3 direction) {
     const float count = float(frame.lightSampleCount);
-    if (hit.triangle == kNoHit)
-        return EmissionMet(frame.environmentRadiance, count * frame.areaEnvironmentProbability / (4.0 * kPi));
+    if (hit.triangle == kNoHit) {
+        const float chosen = count * frame.areaEnvironmentProbability;
+        const float density = kEnvironmentMapped ? chosen * densityOfEnvironmentMap(direction) : chosen / (4.0 * kPi);
+        return EmissionMet(radianceOfEnvironment(direction), density);
+    }
     const TriangleRecord t = loadTriangle(hit.triangle);
     const uint material = triangleMaterials[hit.triangle];
     const float cosLight = -dot(counterClockwiseNormal(t), direction);

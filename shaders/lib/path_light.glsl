@@ -3,6 +3,7 @@
 #ifndef MANYLIGHT_PATH_LIGHT_GLSL
 #define MANYLIGHT_PATH_LIGHT_GLSL
 #include "shaders/lib/emitter_radiance.glsl"
+#include "shaders/lib/range.glsl"
 #include "shaders/lib/ray.glsl"
 #include "shaders/lib/surface.glsl"
 
@@ -20,7 +21,10 @@ float densityOfEmitterPoint(float meanEmission, float area, float squaredDistanc
     return probability / area * squaredDistance / max(cosLight, 1e-20);
 }
 
-float densityOfEnvironment() { return frame.environmentProbability / (4.0 * kPi); }
+float densityOfEnvironment(vec3 direction) {
+    return kEnvironmentMapped ? frame.environmentProbability * densityOfEnvironmentMap(direction)
+                              : frame.environmentProbability / (4.0 * kPi);
+}
 
 LightSample sampleTriangle(Emitter emitter, vec3 position, vec2 u) {
     LightSample light;
@@ -45,26 +49,37 @@ LightSample sampleDeltaLight(Emitter emitter, vec3 position) {
     const float falloff = emitter.kind == kEmitterSpot
                               ? spotFalloff(-dot(light.direction, emitter.edge1), emitter.cosBeam, emitter.cosCutoff)
                               : 1.0;
-    light.irradiance = emitter.emission * (isParallel ? 1.0 : falloff / squaredDistance) / emitter.probability;
+    const float window = rangeWindow(sqrt(squaredDistance), emitter.inverseRange);
+    light.irradiance = emitter.emission * (isParallel ? 1.0 : window * falloff / squaredDistance) / emitter.probability;
     light.density = 0.0;
     light.end = position + toLight;
     return light;
 }
 
-// All constant lights are one light: the sum of their radiances, chosen with the sum of their probabilities.
-LightSample sampleEnvironment(vec3 position, vec2 u) {
+// All constant lights are one light: the sum of their radiances, chosen with the sum of their probabilities. A map has
+// them in it.
+LightSample sampleEnvironment(vec3 position, uvec2 bits, vec2 inCell) {
     LightSample light;
-    light.direction = squareToCone(u, -1.0);
-    light.density = densityOfEnvironment();
-    light.irradiance = frame.environmentRadiance / light.density;
+    vec3 radiance = frame.environmentRadiance;
+    if (kEnvironmentMapped) {
+        const EnvironmentSample drawn = sampleEnvironmentMap(bits, inCell);
+        light.direction = drawn.direction;
+        light.density = frame.environmentProbability * drawn.density;
+        radiance = drawn.radiance;
+    } else {
+        light.direction = squareToCone(unitFloats(bits), -1.0);
+        light.density = densityOfEnvironment(light.direction);
+    }
+    light.irradiance = light.density > 0.0 ? radiance / light.density : vec3(0.0);
     light.end = position + 8.0 * light.direction;
     return light;
 }
 
-LightSample sampleLight(vec3 position, float uEmitter, vec2 uPoint) {
-    const Emitter emitter = emitters[chooseEmitter(uEmitter, false)];
-    if (emitter.kind == kEmitterTriangle) return sampleTriangle(emitter, position, uPoint);
-    if (emitter.kind == kEmitterConstant) return sampleEnvironment(position, uPoint);
+// `inCell` is for maps of environments only.
+LightSample sampleLight(vec3 position, uint emitterBits, uvec2 bits, vec2 inCell) {
+    const Emitter emitter = loadEmitter(chooseEmitter(emitterBits, false));
+    if (emitter.kind == kEmitterTriangle) return sampleTriangle(emitter, position, unitFloats(bits));
+    if (emitter.kind == kEmitterEnvironment) return sampleEnvironment(position, bits, inCell);
     return sampleDeltaLight(emitter, position);
 }
 

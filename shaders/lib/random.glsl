@@ -6,6 +6,11 @@
 // A stratified point of [0,1)^2 for sample `index` of the sequence named by (seed, dimension).
 vec2 sample2d(uint index, uint seed, uint dimension) { return owenScrambledSobol2d(index, hashCombine(seed, dimension)); }
 
+// The same with all its bits, for choices among many.
+uvec2 sampleBits(uint index, uint seed, uint dimension) {
+    return owenScrambledSobolBits(index, hashCombine(seed, dimension));
+}
+
 // A seed for what each pixel draws by itself.
 uint pixelSeed(uint seed, ivec2 pixel) { return hashCombine(hashCombine(seed, uint(pixel.x)), uint(pixel.y)); }
 

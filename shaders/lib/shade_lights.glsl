@@ -33,7 +33,7 @@ vec3 sumOfLights(Receiver receiver, uint seed, uint first, uint count) {
     const uint deltaLightCount = frame.deltaLightCount;
     vec3 sum = vec3(0.0);
     for (uint i = first; i < min(first + count, deltaLightCount); ++i)
-        sum += summandOfLight(receiver, deltaLight(emitters[i]), 1.0);
+        sum += summandOfLight(receiver, deltaLight(loadEmitter(i)), 1.0);
     for (uint i = max(first, deltaLightCount); i < first + count; ++i)
         sum += summandOfArea(receiver, sampleOfArea(i - deltaLightCount, seed));
     return sum;

@@ -1,6 +1,7 @@
 // Instant radiosity's shading (Keller 1997): what one light gives to one surface, and the loop over many.
 #ifndef MANYLIGHT_VPL_SHADING_GLSL
 #define MANYLIGHT_VPL_SHADING_GLSL
+#include "shaders/lib/range.glsl"
 #include "shaders/lib/spot.glsl"
 #include "shaders/shared/bsdf.h"
 #include "shaders/shared/lights.h"
@@ -46,7 +47,8 @@ vec3 irradianceOfLight(Receiver receiver, LightData light) {
     const vec3 direction = toLight * inversesqrt(squaredDistance);
     const float emission =
         light.kind == kLightSpot ? spotFalloff(-dot(direction, light.direction), light.cosBeam, light.cosCutoff) : 1.0f;
-    return spectrum * (emission * max(dot(receiver.normal, direction), 0.0f) / squaredDistance);
+    const float window = rangeWindow(sqrt(squaredDistance), light.inverseRange);
+    return spectrum * (window * emission * max(dot(receiver.normal, direction), 0.0f) / squaredDistance);
 }
 
 #endif

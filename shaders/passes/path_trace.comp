@@ -19,6 +19,7 @@ layout(push_constant, scalar) uniform Push { PathTracePush push; };
 
 const uint kDimensionPixel = 0u;
 const uint kDimensionsPerSurface = 4u;
+const uint kDimensionsInCells = 0x80000000u;  // and above: places in cells of the environment's map
 const uint kRouletteFrom = 3u;  // scatterings without it: the first ones make most of the picture
 const float kFar = 8.0;         // no scene is larger than 2
 
@@ -61,8 +62,10 @@ vec3 emissionOfSurface(PathState path, Hit hit) {
 
 vec3 directLight(PathState path, Surface surface, uint seed, uint dimension) {
     if (frame.emitterCount == 0u || !counts(path.scatterings + 1u)) return vec3(0.0);
-    const LightSample light = sampleLight(surface.position, sample2d(frame.frame, seed, dimension).x,
-                                          sample2d(frame.frame, seed, dimension + 1u));
+    vec2 inCell = vec2(0.0);
+    if (kEnvironmentMapped) inCell = sample2d(frame.frame, seed, kDimensionsInCells + dimension);
+    const LightSample light = sampleLight(surface.position, sampleBits(frame.frame, seed, dimension).x,
+                                          sampleBits(frame.frame, seed, dimension + 1u), inCell);
     const float cosSurface = max(dot(surface.normal, light.direction), 0.0);
     const float density = bsdfDensity(surface.bsdf, surface.normal, light.direction, -path.direction);
     const float weight = light.density > 0.0 ? misWeight(light.density, density) : 1.0;
@@ -105,7 +108,7 @@ PathState meetSurface(PathState path, uint seed) {
     const vec3 origin = path.normal == vec3(0.0) ? path.origin : offsetRayOrigin(path.origin, path.normal, path.direction);
     const Hit hit = closestHit(origin, path.direction, kFar);
     if (hit.triangle == kNoHit) {
-        path.radiance += emissionMet(path, densityOfEnvironment(), frame.environmentRadiance);
+        path.radiance += emissionMet(path, densityOfEnvironment(path.direction), radianceOfEnvironment(path.direction));
         path.isAlive = 0u;
         return path;
     }

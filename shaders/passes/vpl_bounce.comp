@@ -4,6 +4,7 @@
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/surface.glsl"
 #include "shaders/lib/random.glsl"
+#include "shaders/lib/range.glsl"
 #include "shaders/lib/ray.glsl"
 #include "shaders/shared/lights.h"
 #include "shaders/shared/vpl_emission.h"
@@ -45,7 +46,7 @@ LightData vertexOfPath(Surface surface, vec3 flux, uint path, uint depth) {
     vertex.cosBeam = 1.0;
     vertex.depth = depth;
     vertex.pathIndex = path;
-    vertex.unused = 0u;
+    vertex.inverseRange = 0.0;
     return vertex;
 }
 
@@ -100,6 +101,8 @@ Ray bounce(Ray ray, uint slot) {
     }
     const Surface surface = surfaceAt(hit.triangle, hit.barycentrics, -ray.direction);
     const uint path = push.firstPath + slot;
+    // A limited range takes from the light on its first way only: what arrives there is light like any other.
+    if (ray.depth == 0u) ray.intensity *= rangeWindow(hit.t, ray.inverseRange);
     ray.intensity *= shadingNormalCorrection(surface, -ray.direction);
     const LightData vertex = vertexOfPath(surface, ray.intensity, path, ray.depth + 1u);
     if (vertex.intensity > 0.0) {

@@ -13,12 +13,28 @@ layout(push_constant, scalar) uniform Push { EmissionPush push; };
 const uint kDimensionEmitter = 0u;
 const uint kDimensionPosition = 1u;
 const uint kDimensionDirection = 2u;
+const uint kDimensionInCell = 3u;
 
-Ray emitFrom(Emitter emitter, vec2 uPosition, vec2 uDirection) {
+// Through the disk across the direction that covers the scene: p_A = 1 / (pi R^2).
+Ray emitFromMap(Ray ray, Emitter emitter, vec2 uPosition, uvec2 bits, vec2 inCell) {
+    const EnvironmentSample drawn = sampleEnvironmentMap(bits, inCell);
+    const float density = emitter.probability * drawn.density;
+    ray.direction = -drawn.direction;
+    ray.origin = pointOnSceneDisk(ray.direction, uPosition);
+    const float disk = kPi * frame.sceneRadius * frame.sceneRadius;
+    ray.intensity = density > 0.0 ? drawn.radiance / density * disk : vec3(0.0);
+    ray.isAlive = largestChannel(ray.intensity) > 0.0 ? 1u : 0u;
+    return ray;
+}
+
+// `inCell` is for maps of environments only.
+Ray emitFrom(Emitter emitter, vec2 uPosition, uvec2 bits, vec2 inCell) {
+    const vec2 uDirection = unitFloats(bits);
     Ray ray;
     ray.isAlive = 1u;
     ray.depth = 0u;
     ray.normal = vec3(0.0);
+    ray.inverseRange = 0.0;
     const vec3 weight = emitter.emission / emitter.probability;
     if (emitter.kind == kEmitterTriangle) {
         ray.normal = normalOfTriangle(emitter);
@@ -32,10 +48,13 @@ Ray emitFrom(Emitter emitter, vec2 uPosition, vec2 uDirection) {
         const vec3 local = squareToCone(uDirection, cosCone);
         const float falloff = emitter.kind == kEmitterSpot ? spotFalloff(local.z, emitter.cosBeam, emitter.cosCutoff) : 1.0;
         ray.origin = emitter.position;
+        ray.inverseRange = emitter.inverseRange;
         ray.direction = normalize(toWorld(local, axis));
         ray.intensity = weight * (falloff * 2.0 * kPi * (1.0 - cosCone));
+    } else if (kEnvironmentMapped && emitter.kind == kEmitterEnvironment) {
+        ray = emitFromMap(ray, emitter, uPosition, bits, inCell);
     } else {
-        const bool isConstant = emitter.kind == kEmitterConstant;
+        const bool isConstant = emitter.kind == kEmitterEnvironment;
         ray.direction = isConstant ? squareToCone(uDirection, -1.0) : emitter.edge1;
         ray.origin = pointOnSceneDisk(ray.direction, uPosition);
         const float solidAngle = isConstant ? 4.0 * kPi : 1.0;
@@ -49,9 +68,10 @@ void main() {
     if (slot >= push.pathCount) return;
     const uint path = push.firstPath + slot;
     const uint index = frame.frame * frame.pathCount + path;  // frames continue the sequence
-    const float uEmitter = sample2d(index, frame.seed, kDimensionEmitter).x;
-    const Emitter emitter = emitters[chooseEmitter(uEmitter, false)];
+    const Emitter emitter = loadEmitter(chooseEmitter(sampleBits(index, frame.seed, kDimensionEmitter).x, false));
+    vec2 inCell = vec2(0.0);
+    if (kEnvironmentMapped) inCell = sample2d(index, frame.seed, kDimensionInCell);
     rays[slot] = emitFrom(emitter, sample2d(index, frame.seed, kDimensionPosition),
-                          sample2d(index, frame.seed, kDimensionDirection));
+                          sampleBits(index, frame.seed, kDimensionDirection), inCell);
     pathVertexCount[slot] = 0u;
 }

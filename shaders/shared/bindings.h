@@ -13,7 +13,7 @@ MANYLIGHT_CONSTANT(int, kBindingTriangleUvs, 4);        // storage: kUvSets vec2
 MANYLIGHT_CONSTANT(int, kBindingMaterials, 5);          // storage: Material
 MANYLIGHT_CONSTANT(int, kBindingTextureInfos, 6);       // storage: TextureInfo
 MANYLIGHT_CONSTANT(int, kBindingTexels, 7);             // storage texel buffer, RGBA8_UNORM
-MANYLIGHT_CONSTANT(int, kBindingEmitters, 8);           // storage: Emitter
+MANYLIGHT_CONSTANT(int, kBindingEmitters, 8);           // storage texel buffer, RGBA32_UINT: Emitter
 MANYLIGHT_CONSTANT(int, kBindingRays, 9);               // storage: Ray per path of the batch
 MANYLIGHT_CONSTANT(int, kBindingPathOffsets, 10);       // storage: vertices per path, then their prefix sum
 MANYLIGHT_CONSTANT(int, kBindingPathVertices, 11);      // storage: LightData, slot = (depth - 1) * paths + path
@@ -35,6 +35,9 @@ MANYLIGHT_CONSTANT(int, kBindingTriangleColours, 26);   // storage: three RGBA16
 MANYLIGHT_CONSTANT(int, kBindingPathGloss, 27);         // storage: VplGloss per entry of kBindingPathVertices
 MANYLIGHT_CONSTANT(int, kBindingVplGloss, 28);          // storage, or texel buffer RGBA32F: VplGloss per VPL
 MANYLIGHT_CONSTANT(int, kBindingGBufferGloss, 29);      // image RGBA32_UINT: reflectance at normal incidence, alpha
+MANYLIGHT_CONSTANT(int, kBindingEmitterChoices, 30);    // storage texel buffer, RGBA32_UINT: EmitterChoice per emitter
+MANYLIGHT_CONSTANT(int, kBindingEnvironmentTexels, 31); // storage texel buffer, RGBA32F: radiance, row by row
+MANYLIGHT_CONSTANT(int, kBindingEnvironmentCells, 32);  // storage texel buffer, RGBA32_UINT: EnvironmentCell
 
 MANYLIGHT_SHARED_END
 #endif

@@ -20,7 +20,7 @@ struct FrameConstants {
     vec2 pixelOffset;      // of the sample inside its pixel, in [0, 1); (0.5, 0.5) is the centre
     vec3 sceneCenter;
     float sceneRadius;     // of a sphere around the scene
-    vec3 environmentRadiance;
+    vec3 environmentRadiance;  // where there is no map of it
     float geometryBound;   // upper bound of the geometry term, 1 / length^2
     uint pathCount;        // light paths of this frame
     uint vplCount;         // VPLs shaded in this frame
@@ -35,6 +35,9 @@ struct FrameConstants {
     float areaPowerShare;
     float areaEqualShare;
     float areaEnvironmentProbability;
+    uvec2 environmentSize;  // of the map, texels
+    uint environmentCellSide;
+    float environmentTurn;
 };
 
 MANYLIGHT_SHARED_END

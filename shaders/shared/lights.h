@@ -12,7 +12,7 @@ struct Ray {
     vec3 direction;  // unit
     uint depth;      // surfaces met so far
     vec3 intensity;  // flux of the path, W: emitted radiance * cos / pdf, then times albedo / survival probability
-    float unused;
+    float inverseRange;  // of the light that it leaves, 1 / length
     vec3 normal;     // geometric normal at the origin; zero where the path starts in free space
     float unused2;
 };
@@ -34,7 +34,7 @@ struct LightData {
     float cosBeam;     // spot: full intensity inside
     uint depth;        // VPL: bounces since the emitter
     uint pathIndex;    // VPL: which light path left it
-    uint unused;
+    float inverseRange;  // point, spot: 1 / length, 0: without limit
 };
 
 // What a VPL's surface does with light, for scenes where that depends on directions: the VPL emits
@@ -61,24 +61,34 @@ MANYLIGHT_CONSTANT(uint, kEmitterPoint, 1u);
 MANYLIGHT_CONSTANT(uint, kEmitterSpot, 2u);
 MANYLIGHT_CONSTANT(uint, kEmitterDirectional, 3u);
 MANYLIGHT_CONSTANT(uint, kEmitterTriangle, 4u);
-MANYLIGHT_CONSTANT(uint, kEmitterConstant, 5u);
+MANYLIGHT_CONSTANT(uint, kEmitterEnvironment, 5u);
 
+// Texel by texel, what belongs together.
 struct Emitter {
     vec3 position;          // of the light, or corner 0 of the triangle
     uint kind;
     vec3 edge1;             // triangle: corner 1 - corner 0; spot, directional: unit direction of travel
-    float cumulative;       // probability of this entry or one before it, for light paths
+    float probability;      // that a light path starts here
     vec3 edge2;             // triangle: corner 2 - corner 0
-    float probability;
-    vec3 emission;          // radiance (triangle, constant), W/sr (point, spot), W/m^2 (directional)
-    float areaCumulative;   // the same among triangles and the environment alone, for direct light
-    float areaProbability;
+    float areaProbability;  // the same among triangles and the environment alone, for direct light
+    vec3 emission;          // radiance (triangle, environment), W/sr (point, spot), W/m^2 (directional)
+    float area;             // of the triangle
     float cosCutoff;
     float cosBeam;
-    float area;             // of the triangle
-    vec2 unused;
+    float inverseRange;     // 1 / length, 0: without limit
+    float unused;
     uint triangle;          // of the BVH's order
     uint emissionTexture;   // that multiplies `emission`, see material.h
+    uvec2 unused2;
+};
+MANYLIGHT_CONSTANT(uint, kTexelsPerEmitter, 6u);
+
+// A slot of the two alias tables (Walker 1977): below the threshold it stands for the emitter of its own number.
+struct EmitterChoice {
+    float threshold;  // among all emitters
+    uint alias;
+    float areaThreshold;  // among triangles and the environment
+    uint areaAlias;
 };
 
 // Counters that passes raise and the host reads after the frame.
@@ -92,6 +102,8 @@ struct FrameStatus {
 
 #ifdef __cplusplus
 static_assert(sizeof(LightData) == 16 * kTexelsPerLight);
+static_assert(sizeof(Emitter) == 16 * kTexelsPerEmitter);
+static_assert(sizeof(EmitterChoice) == 16);
 static_assert(sizeof(VplGloss) == 16 * kTexelsPerGloss);
 #endif
 

@@ -51,11 +51,17 @@ MANYLIGHT_FUNCTION uint sobolSecondDimension(uint index) {
 // 24 leading bits as a float in [0, 1).
 MANYLIGHT_FUNCTION float unitFloat(uint bits) { return float(bits >> 8) * 5.9604644775390625e-8f; }
 
-MANYLIGHT_FUNCTION vec2 owenScrambledSobol2d(uint index, uint seed) {
+// Both coordinates as fractions of 2^32.
+MANYLIGHT_FUNCTION uvec2 owenScrambledSobolBits(uint index, uint seed) {
     const uint shuffled = nestedUniformScramble(index, seed);
-    const uint x = nestedUniformScramble(reverseBits(shuffled), hashInteger(seed ^ 0x51633e2du));
-    const uint y = nestedUniformScramble(sobolSecondDimension(shuffled), hashInteger(seed ^ 0x68bc21ebu));
-    return vec2(unitFloat(x), unitFloat(y));
+    return uvec2(nestedUniformScramble(reverseBits(shuffled), hashInteger(seed ^ 0x51633e2du)),
+                 nestedUniformScramble(sobolSecondDimension(shuffled), hashInteger(seed ^ 0x68bc21ebu)));
+}
+
+MANYLIGHT_FUNCTION vec2 unitFloats(uvec2 bits) { return vec2(unitFloat(bits.x), unitFloat(bits.y)); }
+
+MANYLIGHT_FUNCTION vec2 owenScrambledSobol2d(uint index, uint seed) {
+    return unitFloats(owenScrambledSobolBits(index, seed));
 }
 
 MANYLIGHT_SHARED_END

@@ -7,6 +7,8 @@ import re
 import mitsuba as mi
 import numpy as np
 
+from scene_description import Refused
+
 
 def choose_variant(wanted):
     """LLVM 16 is the first whose code generator has all that Dr.Jit asks for; without it, the scalar variant."""
@@ -82,6 +84,13 @@ def emitter(light):
                 "beam_width": light["beam_deg"]}
     if kind == "directional":
         return {"type": "directional", "direction": light["direction"], "irradiance": rgb(light["irradiance"])}
+    if kind == "environment":
+        scale = set(light.get("scale", [1]))
+        if len(scale) != 1:
+            raise Refused("an environment whose channels are scaled apart")
+        # Its middle column is at +Z, and rows reach from pole to pole by the centres of their texels.
+        turn = mi.ScalarTransform4f().rotate([0, 1, 0], 180 + light.get("rotation_deg", 0))
+        return {"type": "envmap", "filename": light["image"], "scale": scale.pop(), "to_world": turn}
     return {"type": "constant", "radiance": rgb(light["radiance"])}
 
 

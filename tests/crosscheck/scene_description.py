@@ -109,6 +109,9 @@ def read(path, folder):
     scene = read_scene_file(scene_file, folder)
     if "lights" in sidecar or not sidecar.get("use_gltf_lights", True):
         scene.lights = (scene.lights if sidecar.get("use_gltf_lights") else []) + sidecar.get("lights", [])
+    for light in scene.lights:
+        if light["type"] == "environment":
+            light["image"] = str((path.parent / light["image"]).resolve())
     complete = bool(sidecar.get("camera") or scene.camera) and scene.emits()
     scene.camera = sidecar.get("camera") or scene.camera or default_camera(scene)
     if not scene.emits():

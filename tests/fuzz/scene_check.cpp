@@ -66,6 +66,7 @@ void checkLights(const Scene& scene) {
     for (const Light& light : scene.lights) {
         MANYLIGHT_CHECK(isFinite(light.position));
         MANYLIGHT_CHECK(isEmission(light.emission));
+        MANYLIGHT_CHECK(light.range >= 0.0f);
         const bool hasDirection = light.type == LightType::Spot || light.type == LightType::Directional;
         MANYLIGHT_CHECK((!hasDirection || isUnit(light.direction)));
         if (light.type != LightType::Spot) continue;

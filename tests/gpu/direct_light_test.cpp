@@ -64,6 +64,20 @@ TEST_F(DirectLight, PointOverAPlane) {
     });
 }
 
+TEST_F(DirectLight, PointOfLimitedRangeOverAPlane) {
+    Scene scene = floorFromAbove(kAlbedo);
+    const glm::vec3 lamp(0.1f, 0.25f, -0.2f);
+    scene.lights.push_back(pointLight(lamp, {0.7f, 0.2f, 0.1f}));
+    scene.lights.back().range = 0.8f;
+    expectIrradiance(scene, [&](glm::dvec3 x) {
+        const glm::dvec3 d = glm::dvec3(lamp) - x;
+        const double window = 1.0 - std::pow(glm::dot(d, d) / (double{0.8f} * double{0.8f}), 2.0);
+        return double{0.7f} * window * d.y / std::pow(glm::dot(d, d), 1.5);
+    });
+    scene.lights.back().range = 0.2f;  // it does not reach the floor
+    EXPECT_EQ(largestOf(render(scene, plainSettings())), 0.0);
+}
+
 TEST_F(DirectLight, SpotOverAPlane) {
     Scene scene = floorFromAbove(kAlbedo);
     const glm::dvec3 lamp(0.05, 0.4, -0.1);

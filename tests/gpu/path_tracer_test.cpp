@@ -164,7 +164,7 @@ TEST_F(PathTracer, FormFactorOfCoaxialDisks) {
     addQuad(scene, {-0.5f, -0.3f, -0.3f}, {1.0f, 0, 0}, {0, 0, 0.6f}, addMaterial(scene, glm::vec3(0.0f)));
     // The picture is a square of side 0.52, of which the disk is a part.
     addCamera(scene, {0, 0.2499f, 0}, {0, 0, 0}, 2.0f * std::atan(0.26f / 0.2499f));
-    std::vector<double> factors = meansOf(finished(std::move(scene)), formFactorSettings(), 4);
+    std::vector<double> factors = meansOf(finished(std::move(scene)), formFactorSettings(), 12);
     for (double& factor : factors) factor *= 0.52 * 0.52 / (double{shared::kPi} * kRadius * kRadius);
     // Equal areas leave errors of the shape, of the order of the sagitta of one side over the radius: 3e-4.
     expectMean(factors, 0.381966, 5e-4);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace manylight {
 namespace {
 
@@ -77,10 +79,28 @@ TEST(Emitters, ProbabilitiesSumToOneAndAWeakLightKeepsItsDefensiveShare) {
     EXPECT_EQ(table.areaLightCount, 1u);
     EXPECT_NEAR(table.emitters[0].probability, 0.05f, 1e-6);  // 0.1 / 2
     EXPECT_NEAR(table.emitters[0].probability + table.emitters[1].probability, 1.0f, 1e-6);
-    EXPECT_EQ(table.emitters[1].cumulative, 1.0f);
     EXPECT_EQ(table.emitters[0].areaProbability, 0.0f);
-    EXPECT_EQ(table.emitters[0].areaCumulative, 0.0f);
+    ASSERT_EQ(table.choices.size(), 2u);
+    EXPECT_NEAR(table.choices[0].threshold, 0.1f, 1e-6);  // of half the draws
+    EXPECT_EQ(table.choices[0].alias, 1u);
+    EXPECT_EQ(table.choices[0].areaThreshold, 0.0f);
+    EXPECT_EQ(table.choices[0].areaAlias, 1u);
     EXPECT_EQ(table.emitters[1].areaProbability, 1.0f);
+}
+
+TEST(Emitters, AMapStandsForTheConstantLightsToo) {
+    Scene scene;
+    Light sky = pointLight(2);
+    sky.type = LightType::Constant;
+    scene.lights = {sky, pointLight(1)};
+    scene.environment = EnvironmentMap{.name = "map", .radiance = Image(4, 2, 3)};
+    std::ranges::fill(scene.environment->radiance.texels, 1.0f);
+    const EmitterTable table = buildEmitterTable(scene, 3.0f, buildEnvironmentTable(scene));
+    ASSERT_EQ(table.emitters.size(), 2u);
+    EXPECT_EQ(table.deltaLightCount, 1u);
+    EXPECT_EQ(table.environmentRadiance, glm::vec3(0.0f));
+    EXPECT_NEAR(table.totalPower, 4 * kPi + 3 * 4 * kPi * kPi * 9, 1e-3);
+    EXPECT_NEAR(table.environmentProbability, double{table.emitters[1].probability}, 1e-9);
 }
 
 TEST(Emitters, NoLightGivesAnEmptyTable) { EXPECT_TRUE(buildEmitterTable(emissiveTriangle(0), 1).emitters.empty()); }

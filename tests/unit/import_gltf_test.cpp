@@ -121,7 +121,7 @@ TEST_F(GltfImport, IndicesOutOfRangeDropTheirTriangle) {
 
 TEST_F(GltfImport, LightsAndCamerasFollowTheirNodes) {
     json_["extensions"] = Json::parse(R"({"KHR_lights_punctual": {"lights": [
-        {"type": "point", "intensity": 10, "color": [1, 0.5, 0]},
+        {"type": "point", "intensity": 10, "color": [1, 0.5, 0], "range": 6},
         {"type": "spot", "intensity": 2, "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.4}},
         {"type": "directional", "intensity": 3}]}})");
     json_["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 0.9, "znear": 0.1}},
@@ -135,6 +135,8 @@ TEST_F(GltfImport, LightsAndCamerasFollowTheirNodes) {
     ASSERT_EQ(scene.lights.size(), 3u);
     const float unit = std::ldexp(1.0f, -2 * scene.frame.exponent);
     EXPECT_EQ(scene.lights[0].emission, glm::vec3(10, 5, 0) * unit);
+    EXPECT_EQ(scene.lights[0].range, std::ldexp(6.0f, -scene.frame.exponent));  // scales of nodes do not count
+    EXPECT_EQ(scene.lights[1].range, std::numeric_limits<float>::infinity());
     EXPECT_TRUE(isNear(scene.lights[1].direction, {0, -1, 0}));
     EXPECT_NEAR(scene.lights[1].cosBeam, std::cos(0.2f), 1e-6f);
     EXPECT_NEAR(scene.lights[1].cosCutoff, std::cos(0.4f), 1e-6f);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <random>
 
@@ -18,7 +19,9 @@ namespace manylight::shared::as_shader {
 using glm::acos;
 using glm::clamp;
 using glm::ivec2;
+using glm::uintBitsToFloat;
 using glm::umulExtended;
+using glm::uvec3;
 
 struct Frame {
     uint emitterCount = 0;
@@ -26,19 +29,21 @@ struct Frame {
     vec3 sceneCenter{0.25f, 0.5f, -1.0f};
 };
 Frame frame;
-std::vector<Emitter> emitters;
+
+struct TexelBuffer {
+    std::vector<uvec4> texels;
+};
+uvec4 imageLoad(const TexelBuffer& buffer, int i) { return buffer.texels.at(static_cast<size_t>(i)); }
 
 #define layout(...)
 #define readonly
-#define buffer struct
-#define EmitterBlock \
-    EmitterBlock:    \
-    Frame
+#define uniform
+#define uimageBuffer TexelBuffer
 #include "shaders/lib/emitters.glsl"
 #undef layout
 #undef readonly
-#undef buffer
-#undef EmitterBlock
+#undef uniform
+#undef uimageBuffer
 }  // namespace manylight::shared::as_shader
 
 namespace manylight::test {
@@ -203,16 +208,46 @@ Scene manyEmitters() {
 
 TEST(Samplers, ChoiceOfEmitters) {
     const EmitterTable table = buildEmitterTable(manyEmitters(), 1.0f);
-    as_shader::emitters = table.emitters;
+    as_shader::emitterChoices.texels.resize(table.choices.size());
+    std::memcpy(as_shader::emitterChoices.texels.data(), table.choices.data(),
+                table.choices.size() * sizeof(EmitterChoice));
     as_shader::frame.emitterCount = static_cast<uint32_t>(table.emitters.size());
     for (const bool byArea : {false, true}) {
         const auto probability = [&](uint32_t i) {
             return double{byArea ? table.emitters[i].areaProbability : table.emitters[i].probability};
         };
-        const auto choose = [&](glm::vec2 u) { return as_shader::chooseEmitter(u.x, byArea); };
+        // 24 bits of one number and 8 of the other.
+        const auto choose = [&](glm::vec2 u) {
+            return as_shader::chooseEmitter(
+                (static_cast<uint32_t>(double{u.x} * 16777216.0) << 8) | static_cast<uint32_t>(u.y * 256.0f), byArea);
+        };
         EXPECT_TRUE(passes(pValueOf(as_shader::frame.emitterCount, probability, choose))) << byArea;
-        EXPECT_GT(probability(as_shader::chooseEmitter(std::nextafter(1.0f, 0.0f), byArea)), 0.0);
+        for (const uint32_t bits : {0u, 1u, 0x7fffffffu, 0xfffffffeu, 0xffffffffu})
+            EXPECT_GT(probability(as_shader::chooseEmitter(bits, byArea)), 0.0);
     }
+}
+
+TEST(Samplers, AnEmitterIsReadAsItWasWritten) {
+    Emitter written{};
+    written.position = {1, 2, 3};
+    written.kind = kEmitterTriangle;
+    written.edge1 = {4, 5, 6};
+    written.probability = 0.25f;
+    written.edge2 = {7, 8, 9};
+    written.areaProbability = 0.5f;
+    written.emission = {10, 11, 12};
+    written.area = 13;
+    written.cosCutoff = -0.5f;
+    written.cosBeam = 0.75f;
+    written.inverseRange = 14;
+    written.triangle = 15;
+    written.emissionTexture = 16;
+    as_shader::emitterTexels.texels.resize(2 * kTexelsPerEmitter);
+    std::memcpy(as_shader::emitterTexels.texels.data() + kTexelsPerEmitter, &written, sizeof(written));
+    const Emitter read = as_shader::loadEmitter(1);
+    EXPECT_EQ(std::memcmp(&read, &written, offsetof(Emitter, unused)), 0);
+    EXPECT_EQ(read.triangle, written.triangle);
+    EXPECT_EQ(read.emissionTexture, written.emissionTexture);
 }
 
 // What a pixel or a light path draws is point `index` of a sequence that its seed scrambles: over seeds it is random.

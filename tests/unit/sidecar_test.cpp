@@ -22,7 +22,7 @@ TEST_F(Sidecar, GivesCameraLightsDepthAndSettings) {
         "name": "room", "scene": "models/room.obj", "max_depth": 3,
         "camera": {"origin": [0, 1, 8], "target": [0, 1, 0], "up": [0, 2, 0], "fov_y_deg": 60, "width": 320, "height": 240},
         "lights": [
-            {"type": "point", "position": [2, 2, 2], "intensity": [4, 5, 6]},
+            {"type": "point", "position": [2, 2, 2], "intensity": [4, 5, 6], "range": 3},
             {"type": "spot", "position": [0, 0, 1], "direction": [0, 0, -2], "cutoff_deg": 60, "beam_deg": 45, "intensity": [1, 1, 1]},
             {"type": "directional", "direction": [0, -3, 0], "irradiance": [1, 2, 3]},
             {"type": "constant", "name": "sky", "radiance": [0.5, 0.5, 0.5]},
@@ -39,6 +39,8 @@ TEST_F(Sidecar, GivesCameraLightsDepthAndSettings) {
     EXPECT_EQ(scene.cameras[0].resolution, glm::uvec2(320, 240));
     ASSERT_EQ(scene.lights.size(), 4u);
     EXPECT_NEAR(scene.lights[0].emission.y, std::ldexp(5.0f, -2 * scene.frame.exponent), 1e-7f);
+    EXPECT_EQ(scene.lights[0].range, std::ldexp(3.0f, -scene.frame.exponent));
+    EXPECT_EQ(scene.lights[1].range, std::numeric_limits<float>::infinity());
     EXPECT_NEAR(scene.lights[1].cosCutoff, 0.5f, 1e-6f);
     EXPECT_NEAR(scene.lights[1].cosBeam, 0.70710678f, 1e-6f);
     EXPECT_EQ(scene.lights[2].direction, glm::vec3(0, -1, 0));
@@ -77,6 +79,8 @@ TEST_F(Sidecar, WrongValuesAreNamedWithTheirPath) {
         {R"("lights": [{"type": "point", "position": [0, 0, 0], "intensity": [1, -1, 1]}])", "none negative"},
         {R"("lights": [{"type": "point", "position": [0, 0, "a"], "intensity": [1, 1, 1]}])",
          "lights[0].position[2]: expected a finite"},
+        {R"("lights": [{"type": "point", "position": [0, 0, 0], "intensity": [1, 1, 1], "range": 0}])",
+         "lights[0].range: expected a number above zero"},
         {R"("lights": [{"type": "directional", "direction": [0, 0, 0], "irradiance": [1, 1, 1]}])", "not zero"},
         {R"("lights": [{"type": "spot", "position": [0,0,0], "direction": [0,0,1], "cutoff_deg": 30, "beam_deg": 40, "intensity": [1,1,1]}])",
          "lights[0].beam_deg: expected an angle no larger"},
