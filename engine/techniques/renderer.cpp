@@ -118,6 +118,7 @@ void Renderer::restart(const RenderSettings& settings) {
     if (settings.materials != settings_.materials)
         failUsage("--materials {}: expected the same for all pictures of one run", name(settings.materials));
     const glm::uvec2 before{settings_.width, settings_.height};
+    if (settings.camera != settings_.camera) isCameraGiven_ = false;
     resolve(settings);
     if (before != glm::uvec2{settings_.width, settings_.height}) {
         makeTargets();
@@ -126,17 +127,37 @@ void Renderer::restart(const RenderSettings& settings) {
     frameCount_ = 0;
 }
 
+void Renderer::lookThrough(const Camera& camera) {
+    camera_ = camera;
+    isCameraGiven_ = true;
+    frameCount_ = 0;
+}
+
+void Renderer::relight(const Scene& scene) {
+    if (reducedScene_) reducedScene_->lights = scene.lights;
+    MANYLIGHT_CHECK(scene_.triangles.size() == scene.triangles.size(), "relight() with another scene");
+    plan_ = planScene(scene_, !settings_.plan);
+    replaceEmitters(device_, gpuScene_, scene_);
+    frameCount_ = 0;
+}
+
+void Renderer::setDisplay(float exposure, ToneCurve curve) {
+    settings_.exposure = exposure;
+    settings_.toneCurve = curve;
+}
+
 void Renderer::resolve(const RenderSettings& settings) {
     MANYLIGHT_CHECK(!scene_.cameras.empty(), "scene {}", scene_.path.string());
     settings_ = settings;
     if (settings.camera >= scene_.cameras.size())
         failUsage("--camera {}: the scene has {} camera(s), counted from 0", settings.camera, scene_.cameras.size());
+    if (!isCameraGiven_) camera_ = scene_.cameras[settings.camera];
     if (settings.width == 0 || settings.height == 0) {
-        const glm::uvec2 size = scene_.cameras[settings.camera].resolution.value_or(glm::uvec2{512, 384});
+        const glm::uvec2 size = camera_.resolution.value_or(glm::uvec2{512, 384});
         settings_.width = size.x;
         settings_.height = size.y;
     }
-    if (keepsCutOff_ && settings.technique != Technique::Deferred)
+    if ((keepsCutOff_ || settings.show == Show::CutOff) && settings.technique != Technique::Deferred)
         failUsage("what the bound cuts off is known to --technique deferred only");
     const uint32_t limit = device_.limits().maxImageDimension2D;
     if (settings_.width > limit || settings_.height > limit)
@@ -180,7 +201,7 @@ void Renderer::makeTargets() {
 }
 
 void Renderer::writeFrameConstants() {
-    const Camera& camera = scene_.cameras[settings_.camera];
+    const Camera& camera = camera_;
     const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
     const ViewAxes view = viewAxes(camera.origin, camera.forward, camera.up, camera.verticalFov, aspect);
     const uint32_t seed =
@@ -234,12 +255,14 @@ FrameGraph Renderer::declareFrame() {
                              .subgroupSize = device_.subgroupSize(),
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
-                             .keepsCutOff = keepsCutOff_};
-    const bool showsChannel = settings_.show != Show::Picture && settings_.show != Show::Vpls;
+                             .keepsCutOff = keepsCutOff_ || settings_.show == Show::CutOff};
+    const bool showsChannel =
+        settings_.show != Show::Picture && settings_.show != Show::Vpls && settings_.show != Show::CutOff;
     TechniqueResult result = declareTechnique(graph, scene, inputs, showsChannel);
     if (settings_.show == Show::Vpls && result.vpls && result.depth)
         result.radiance = addShowVpls(graph, scene, *result.vpls, settings_.vplCount, result.radiance, *result.depth,
                                       settings_.vplDotRadius, 1.0f);
+    if (settings_.show == Show::CutOff) result.radiance = *result.cutOff;
     if (keepsVpls_ && result.vpls) {
         const VkDeviceSize bytes = paddedVplCount(settings_.vplCount) * sizeof(shared::LightData);
         if (vplCopy_.buffer.size() != bytes)
@@ -254,7 +277,7 @@ FrameGraph Renderer::declareFrame() {
     }
 
     const ImageHandle sum = radiance_.add(graph, scene, result.radiance, frameCount_);
-    if (result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
+    if (keepsCutOff_ && result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
     const float scale = std::exp2(settings_.exposure) / static_cast<float>(frameCount_ + 1);
     const ToneCurve curve = showsChannel ? ToneCurve::Linear : settings_.toneCurve;
     const ImageHandle display = addTonemap(graph, scene, sum, importPhysical(graph, "display", display_), scale,

@@ -36,5 +36,11 @@ MANYLIGHT_CONSTANT(int, kBindingPathGloss, 27);         // storage: VplGloss per
 MANYLIGHT_CONSTANT(int, kBindingVplGloss, 28);          // storage, or texel buffer RGBA32F: VplGloss per VPL
 MANYLIGHT_CONSTANT(int, kBindingGBufferGloss, 29);      // image RGBA32_UINT: reflectance at normal incidence, alpha
 
+MANYLIGHT_CONSTANT(int, kBindingOtherDisplay, 60);      // image RGBA8: what is shown beyond the divider
+MANYLIGHT_CONSTANT(int, kBindingCanvas, 61);            // image RGBA8: the whole window
+MANYLIGHT_CONSTANT(int, kBindingPanelVertices, 62);     // storage: PanelVertex
+MANYLIGHT_CONSTANT(int, kBindingPanelIndices, 63);      // storage: uint per corner of a triangle
+MANYLIGHT_CONSTANT(int, kBindingPanelAtlas, 64);        // storage: coverage of four texels per uint
+
 MANYLIGHT_SHARED_END
 #endif
