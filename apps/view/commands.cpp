@@ -46,11 +46,21 @@ void Viewer::performCommand(const Command& command) {
         main_.forget();
         return other_.forget();
     }
+    if (name == "watch") {
+        watchedAt_ = {};
+        return;
+    }
+    if (name == "wait-for") {
+        awaited_ = words[1];
+        return;
+    }
     if (name == "quit") return window_.close();
     if (name == "resize")
         return window_.resize({wholeNumber(command, 1, 1, 1 << 14), wholeNumber(command, 2, 1, 1 << 14)});
     if (name == "frames") {
         holdFrames_ = wholeNumber(command, 1, 1, 1 << 24);
+        for (Side* side : {&main_, &other_})
+            if (side->frameCount() > holdFrames_) side->forget();
         return;
     }
     if (performFileCommand(command) || performLightCommand(command)) return;

@@ -12,7 +12,8 @@ void Comparison::update(Renderer& side, const Image& reference) {
     const Image test = side.radiance();
     if (test.width != reference.width || test.height != reference.height) {
         report_.reset();
-        return;
+        fail("the reference has {}x{} pixels and the picture {}x{}: they must have the same", reference.width,
+             reference.height, test.width, test.height);
     }
     report_ = compareImages(test, reference);
     paint(test, reference, report_->meanLuminanceReference);

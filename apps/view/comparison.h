@@ -10,8 +10,8 @@ class Comparison {
   public:
     explicit Comparison(gpu::Device& device) : device_(device) {}
 
-    /// Compares mean radiances. The reference is the other side's picture, or a file's of the same size. Nothing that
-    /// presents picture() may run.
+    /// Compares mean radiances. The reference is the other side's picture, or a file's. Throws Error if they differ in
+    /// size. Nothing that presents picture() may run.
     void update(Renderer& side, const Image& reference);
     /// Forgets what was compared.
     void clear() { report_.reset(); }

@@ -25,8 +25,9 @@ int main(int argc, char** argv) {
     app.add_option("--reference", options.reference, "FILE.exr that --compare difference takes as the truth");
     app.add_option("--watch-shaders", options.watchShaders,
                    "source tree: rebuild shaders that change there, with glslangValidator");
-    app.add_option("--present", options.presentMode, "fifo, mailbox or immediate, where the window system has it")
-        ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case));
+    app.add_option("--present", options.presentMode, "how frames follow each other, where the window system has it")
+        ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case).description(""))
+        ->type_name("fifo|mailbox|immediate");
     app.add_option("--device", options.device, "index or part of the name of a Vulkan device");
     addSettingOptions(app, options.settings);
     addOptions(app, viewSettingHelps(), options.viewSettings, "Window");

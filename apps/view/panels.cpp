@@ -125,7 +125,7 @@ void drawMain(const PanelView& view, PanelAnswer& answer) {
 }
 
 void drawMessage(const PanelView& view) {
-    std::string text = view.state.message;
+    std::string text = view.state.messageSeconds > 0.0 ? view.state.message : "";
     if (!view.state.shaderProblem.empty()) text = view.state.shaderProblem + (text.empty() ? "" : "\n") + text;
     if (text.empty()) return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -146,6 +146,7 @@ void drawDivider(const PanelView& view) {
     const float x = static_cast<float>(view.state.view.divider) * window.x;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddLine({x, 0}, {x, window.y}, IM_COL32(255, 255, 255, 200), 2.0f * textScale());
+    if (!view.state.view.panel) return;
     const auto label = [&](const RenderSettings& s) { return fmt::format("{}, {} VPLs", name(s.technique), s.vplCount); };
     const std::string right = label(view.other.settings);
     const std::string left = label(view.main.settings);

@@ -37,6 +37,7 @@ RenderSettings Side::wanted(const SideView& view) const {
     result.width = std::max(static_cast<uint32_t>(std::lround(size.x)), 1u);
     result.height = std::max(static_cast<uint32_t>(std::lround(size.y)), 1u);
     result.vplCount = share(settings.vplCount, view.quality.vpls, kFewestVpls);
+    result.lightSampleCount = share(settings.lightSampleCount, view.quality.vpls, 1);
     if (settings.pathCount > 0) result.pathCount = share(settings.pathCount, view.quality.vpls, kFewestVpls);
     result.jitter = !view.isMoving;  // while it moves, every frame is the first
     return result;
@@ -78,9 +79,8 @@ void Side::update(const Scene& scene, const SideView& view) {
     }
 }
 
-Execution Side::render() {
-    renderer_->setDisplay(settings.exposure, settings.toneCurve);
-    return renderer_->renderFrame();
+void Side::showAsAsked() {
+    if (renderer_) renderer_->setDisplay(settings.exposure, settings.toneCurve);
 }
 
 void Side::relight(const Scene& scene) {

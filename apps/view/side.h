@@ -29,8 +29,9 @@ class Side {
     void update(const Scene& scene, const SideView& view);
     /// Whether update() has something to do.
     bool isStale(const SideView& view) const;
-    /// Renders a frame; exposure and tone curve may have changed since update().
-    Execution render();
+    /// Takes up exposure and tone curve, which update() leaves alone: the frames so far are kept.
+    void showAsAsked();
+    Execution render() { return renderer_->renderFrame(); }
     void forget() { isForgotten_ = true; }
     void relight(const Scene& scene);
     void drop() { renderer_.reset(); }

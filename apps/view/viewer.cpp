@@ -21,6 +21,7 @@ constexpr double kScriptedFrame = 1.0 / 30.0;  // seconds, whatever the clock sa
 constexpr double kStillAfter = 0.2;            // seconds
 constexpr double kIdlePoll = 0.05;             // seconds between frames that show nothing new
 constexpr double kWatchPeriod = 0.5;           // seconds between looks at the shaders
+constexpr double kMessageSeconds = 6.0;
 constexpr double kComparePeriod = 0.3;         // seconds between comparisons
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -120,9 +121,10 @@ void Viewer::frame() {
     const double seconds = script_.empty() ? measured : kScriptedFrame;
     for (const std::filesystem::path& file : window_.takeDroppedFiles())
         perform({{"open", file.string()}, "dropped file"});
-    if (reloader_) reloadShaders();
     followScript();
+    if (reloader_) reloadShaders();
 
+    state_.messageSeconds -= seconds;
     input_.beginFrame(script_.empty() ? 0.0 : kScriptedFrame);
     takeInput(seconds);
     showPanels();
@@ -148,11 +150,15 @@ bool Viewer::isDone() const {
     return !state_.isMoving && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
 }
 
-bool Viewer::isWaiting() const { return waitFrames_ > 0 || (holdFrames_ > 0 && !isDone()); }
+bool Viewer::isWaiting() const {
+    return waitFrames_ > 0 || (holdFrames_ > 0 && !isDone()) ||
+           (!awaited_.empty() && !std::filesystem::exists(awaited_));
+}
 
 void Viewer::followScript() {
     if (waitFrames_ > 0) --waitFrames_;
     if (nextLine_ >= script_.size() || isWaiting()) return;
+    awaited_.clear();
     perform(script_[nextLine_++]);
 }
 
@@ -199,6 +205,7 @@ void Viewer::renderSide(Side& side, const SideView& view) {
     } catch (const Error& error) {
         tell(error.what(), true);
     }
+    side.showAsAsked();
     if (!side.exists() || side.frameCount() >= frameLimit()) return;
     const Execution execution = side.render();
     passTimes_.insert(passTimes_.end(), execution.passTimes.begin(), execution.passTimes.end());
@@ -253,9 +260,11 @@ void Viewer::reloadShaders() {
 }
 
 void Viewer::tell(std::string message, bool isError) {
-    if (isError) fmt::print(stderr, "manylight-view: {}\n", message);
+    if (isError && (message != state_.message || !state_.isError))
+        fmt::print(stderr, "manylight-view: {}\n", message);
     state_.message = std::move(message);
     state_.isError = isError;
+    state_.messageSeconds = kMessageSeconds;
 }
 
 }  // namespace manylight

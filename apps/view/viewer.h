@@ -39,6 +39,7 @@ struct ViewState {
     FrameQuality quality;
     TimeHistory times;
     std::string message;
+    double messageSeconds = 0.0;  // that it is still to be seen
     bool isError = false;
     std::string shaderProblem;  // of the last reload; empty: none
 };
@@ -108,7 +109,8 @@ class Viewer {
     std::vector<Command> script_;
     size_t nextLine_ = 0;
     uint32_t waitFrames_ = 0;   // of the script
-    uint32_t holdFrames_ = 0;   // the script wants the mean of so many; 0: no wish
+    std::filesystem::path awaited_;  // a file that the script waits for
+    uint32_t holdFrames_ = 0;  // the script wants the mean of so many; 0: no wish
     std::chrono::steady_clock::time_point lastFrame_;
     double secondsSinceMove_ = 1e9;
     bool lightIsHeld_ = false;  // by the mouse

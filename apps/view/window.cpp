@@ -13,7 +13,9 @@ constexpr const char* kHint = "manylight-capture renders without a window";
 std::string glfwProblem() {
     const char* text = nullptr;
     glfwGetError(&text);
-    return text != nullptr ? text : "no reason given";
+    std::string reason = text != nullptr ? text : "no reason given";
+    while (!reason.empty() && reason.back() == ' ') reason.pop_back();
+    return reason;
 }
 
 /// Ends GLFW again if a constructor fails half way.

@@ -8,7 +8,7 @@ namespace manylight {
 /// Shares of what was asked for.
 struct FrameQuality {
     double scale = 1.0;  // of width and height
-    double vpls = 1.0;   // of the number of VPLs and light paths
+    double vpls = 1.0;   // of the number of VPLs, light paths and samples of lights
 
     bool operator==(const FrameQuality&) const = default;
 };

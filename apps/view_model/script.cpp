@@ -64,6 +64,8 @@ const std::vector<CommandHelp>& commandHelps() {
         {"wheel", "NOTCHES", 1, 1, "turn the mouse wheel"},
         {"resize", "WIDTH HEIGHT", 2, 2, "the window's size"},
         {"wait", "FRAMES", 1, 1, "show so many frames"},
+        {"wait-for", "FILE", 1, 1, "show frames until the file exists"},
+        {"watch", "", 0, 0, "look at the shaders now (--watch-shaders)"},
         {"frames", "N", 1, 1, "wait until the picture is the mean of N frames, and hold it there"},
         {"quit", "", 0, 0, "end the program"},
     };

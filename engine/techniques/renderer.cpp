@@ -79,8 +79,11 @@ uint32_t toneCurveOf(ToneCurve curve) {
     return shared::kToneAces;
 }
 
-TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, bool showsChannel) {
-    if (showsChannel) return declareInstantRadiosity(graph, scene, inputs);
+/// A channel of the G-buffer instead of light.
+bool showsChannel(Show show) { return show != Show::Picture && show != Show::Vpls && show != Show::CutOff; }
+
+TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs) {
+    if (showsChannel(inputs.settings.show)) return declareInstantRadiosity(graph, scene, inputs);
     switch (inputs.settings.technique) {
         case Technique::Forward:
         case Technique::ForwardPrepass:
@@ -142,8 +145,14 @@ void Renderer::relight(const Scene& scene) {
 }
 
 void Renderer::setDisplay(float exposure, ToneCurve curve) {
+    const bool isNew = exposure != settings_.exposure || curve != settings_.toneCurve;
     settings_.exposure = exposure;
     settings_.toneCurve = curve;
+    if (!isNew || frameCount_ == 0) return;
+    FrameGraph graph;
+    const SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
+    graph.keep(declareDisplay(graph, scene, radiance_.sum(graph), frameCount_));
+    executor_.execute(graph);
 }
 
 void Renderer::resolve(const RenderSettings& settings) {
@@ -242,6 +251,14 @@ void Renderer::writeFrameConstants() {
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
 }
 
+ImageHandle Renderer::declareDisplay(FrameGraph& graph, const SceneHandles& scene, ImageHandle sum,
+                                     uint32_t frameCount) {
+    const float scale = std::exp2(settings_.exposure) / static_cast<float>(frameCount);
+    const ToneCurve curve = showsChannel(settings_.show) ? ToneCurve::Linear : settings_.toneCurve;
+    return addTonemap(graph, scene, sum, importPhysical(graph, "display", display_), scale, toneCurveOf(curve),
+                      settings_.width, settings_.height);
+}
+
 FrameGraph Renderer::declareFrame() {
     const uint32_t width = settings_.width;
     const uint32_t height = settings_.height;
@@ -256,9 +273,7 @@ FrameGraph Renderer::declareFrame() {
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
                              .keepsCutOff = keepsCutOff_ || settings_.show == Show::CutOff};
-    const bool showsChannel =
-        settings_.show != Show::Picture && settings_.show != Show::Vpls && settings_.show != Show::CutOff;
-    TechniqueResult result = declareTechnique(graph, scene, inputs, showsChannel);
+    TechniqueResult result = declareTechnique(graph, scene, inputs);
     if (settings_.show == Show::Vpls && result.vpls && result.depth)
         result.radiance = addShowVpls(graph, scene, *result.vpls, settings_.vplCount, result.radiance, *result.depth,
                                       settings_.vplDotRadius, 1.0f);
@@ -278,10 +293,7 @@ FrameGraph Renderer::declareFrame() {
 
     const ImageHandle sum = radiance_.add(graph, scene, result.radiance, frameCount_);
     if (keepsCutOff_ && result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
-    const float scale = std::exp2(settings_.exposure) / static_cast<float>(frameCount_ + 1);
-    const ToneCurve curve = showsChannel ? ToneCurve::Linear : settings_.toneCurve;
-    const ImageHandle display = addTonemap(graph, scene, sum, importPhysical(graph, "display", display_), scale,
-                                           toneCurveOf(curve), width, height);
+    const ImageHandle display = declareDisplay(graph, scene, sum, frameCount_ + 1);
     graph.keep(display);
     addStatusReadback(graph, scene);
     return graph;

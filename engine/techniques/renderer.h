@@ -36,7 +36,7 @@ class Renderer {
     void lookThrough(const Camera& camera);
     /// Forgets the frames so far. `scene` is the constructor's with other lights, its surfaces unchanged.
     void relight(const Scene& scene);
-    /// From the next frame on; keeps the frames so far.
+    /// Keeps the frames so far, and shows them accordingly if there are any.
     void setDisplay(float exposure, ToneCurve curve);
 
     /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
@@ -87,6 +87,7 @@ class Renderer {
     void makeTargets();
     void writeFrameConstants();
     FrameGraph declareFrame();
+    ImageHandle declareDisplay(FrameGraph& graph, const SceneHandles& scene, ImageHandle sum, uint32_t frameCount);
     void refuseNonFinite(const Execution& execution) const;
     void tuneGather(const Execution& execution);
 
