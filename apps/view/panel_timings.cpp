@@ -54,7 +54,7 @@ void drawTimings(const PanelView& view) {
     const TimeHistory& times = view.state.times;
     const float scale = ImGui::GetFontSize() / 13.0f;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x - 8 * scale, 8 * scale}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
+    ImGui::SetNextWindowPos({window.x - 328 * scale, 8 * scale}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowCollapsed(window.x < 900 * scale, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Times", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         const double most = largestOf(times);

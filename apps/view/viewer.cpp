@@ -200,6 +200,7 @@ void Viewer::renderSide(Side& side, const SideView& view) {
     try {
         if (side.isStale(view)) {
             presenter_.finish();
+            comparison_.clear();
             side.update(*state_.scene, view);
         }
     } catch (const Error& error) {
@@ -213,7 +214,8 @@ void Viewer::renderSide(Side& side, const SideView& view) {
 
 void Viewer::compareSides() {
     if (state_.view.compare != Compare::Difference || state_.isMoving) return comparison_.clear();
-    const bool isNew = main_.frameCount() != comparedFrames_ || !comparison_.report();
+    const glm::uvec2 frames{main_.frameCount(), other_.frameCount()};
+    const bool isNew = frames != comparedFrames_ || !comparison_.report();
     if (!isNew || (comparison_.report() && script_.empty() && secondsSince(comparedAt_) < kComparePeriod)) return;
     presenter_.finish();
     try {
@@ -221,7 +223,7 @@ void Viewer::compareSides() {
     } catch (const Error& error) {
         tell(error.what(), true);
     }
-    comparedFrames_ = main_.frameCount();
+    comparedFrames_ = frames;
     comparedAt_ = Clock::now();
 }
 

@@ -115,7 +115,7 @@ class Viewer {
     double secondsSinceMove_ = 1e9;
     bool lightIsHeld_ = false;  // by the mouse
     std::vector<PassTime> passTimes_;  // of the frame at hand
-    uint32_t comparedFrames_ = 0;
+    glm::uvec2 comparedFrames_{0};  // of both sides
     std::chrono::steady_clock::time_point comparedAt_;
     std::chrono::steady_clock::time_point watchedAt_;
     uint64_t frames_ = 0;

@@ -260,8 +260,6 @@ ImageHandle Renderer::declareDisplay(FrameGraph& graph, const SceneHandles& scen
 }
 
 FrameGraph Renderer::declareFrame() {
-    const uint32_t width = settings_.width;
-    const uint32_t height = settings_.height;
     FrameGraph graph;
     SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
     addStatusReset(graph, scene);

@@ -72,9 +72,9 @@ TEST_F(ViewerPictures, OfASavedViewAreTheSameWithoutAWindow) {
 
 TEST_F(ViewerPictures, SplitAndDifferenceShowBothSides) {
     view("set panel off\nset other.technique deferred\nset other.vpls 3\nset compare split\nset divider 0.25\nframes 2\n"
-         "screenshot split.png\nset divider 0\nwait 1\nscreenshot other.png\nset compare off\nframes 2\n"
-         "screenshot main.png\nset other.vpls 12\nset compare difference\nframes 2\nwait 2\nreport same.json\n"
-         "set other.vpls 3\nframes 2\nwait 2\nreport differs.json",
+         "screenshot split.png\nset divider 0\nscreenshot other.png\nset compare off\nframes 2\n"
+         "screenshot main.png\nset other.vpls 12\nset compare difference\nframes 2\nreport same.json\n"
+         "set other.vpls 3\nframes 2\nreport differs.json",
          "--vpls 12");
     const EncodedImage split = imageOf("split.png");
     const EncodedImage main = imageOf("main.png");
