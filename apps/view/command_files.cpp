@@ -88,8 +88,7 @@ void Viewer::capture(std::filesystem::path file) {
         std::map<std::string, std::string> attributes = {{"manylight.view", viewJson(file).dump()},
                                                          {"manylight.frames", std::to_string(renderer.frameCount())}};
         const Json all = toJson(settings);
-        for (const auto& [option, value] : all.items())
-            attributes["manylight." + option] = settingText(value);
+        for (const auto& [option, value] : all.items()) attributes["manylight." + option] = settingText(value);
         writeExr(file, {{"", {"R", "G", "B"}, renderer.radiance()}}, attributes);
     } else if (file.extension() == ".png") {
         writePng8(file, settings.width, settings.height, renderer.displayRgba());
@@ -118,6 +117,7 @@ void Viewer::writeReport(const std::filesystem::path& file) {
                    {"shader_problem", state_.shaderProblem},
                    {"validation_messages", device_.instance().validationMessages()}};
     if (comparison_.report()) report["rmse"] = comparison_.report()->rmse;
+    if (comparison_.flip()) report["flip"] = *comparison_.flip();
     writeTextFile(file, report.dump(2) + "\n");
 }
 

@@ -53,7 +53,8 @@ void Viewer::changeLight(const Command& command) {
         fail("{}: light {}: there are {}, counted from 0", command.place, command.words[1], lights.size());
     const auto index = static_cast<size_t>(number);
     const auto expect = [&](size_t values) {
-        if (command.words.size() != values + 3) fail("{}: light {}: expected {} number(s)", command.place, what, values);
+        if (command.words.size() != values + 3)
+            fail("{}: light {}: expected {} number(s)", command.place, what, values);
     };
     const auto vector = [&] { return glm::dvec3(command.number(3), command.number(4), command.number(5)); };
     if (what == "brightness") {

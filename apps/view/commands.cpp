@@ -106,8 +106,8 @@ void Viewer::chooseNext(const std::string& option) {
     const SettingHelp* help = helpOf(plain);
     if (help == nullptr) fail("next {}: no such setting", option);
     const RenderSettings& settings = isOther ? other_.settings : main_.settings;
-    std::string next = nextChoice(*help, isViewSetting(plain) ? viewSettingValue(state_.view, plain)
-                                                              : settingValue(settings, plain));
+    std::string next =
+        nextChoice(*help, isViewSetting(plain) ? viewSettingValue(state_.view, plain) : settingValue(settings, plain));
     if (next.empty()) fail("next {}: it is a number", option);
     // What the bound takes is known to deferred shading only.
     if (plain == "show" && next == "cut-off" && settings.technique != Technique::Deferred) next = "picture";

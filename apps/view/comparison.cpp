@@ -1,12 +1,18 @@
 #include "apps/view/comparison.h"
 
 #include "engine/metrics/false_colour.h"
+#include "engine/metrics/flip.h"
 #include "engine/metrics/luminance.h"
 
 #include <cmath>
 #include <span>
 
 namespace manylight {
+namespace {
+
+constexpr double kFlipPause = 5.0;  // times as long as it took
+
+}  // namespace
 
 void Comparison::update(Renderer& side, const Image& reference) {
     const Image test = side.radiance();
@@ -17,6 +23,26 @@ void Comparison::update(Renderer& side, const Image& reference) {
     }
     report_ = compareImages(test, reference);
     paint(test, reference, report_->meanLuminanceReference);
+    measureFlip(test, reference);
+}
+
+void Comparison::clear() {
+    report_.reset();
+    flip_.reset();
+    flipAt_ = {};
+}
+
+void Comparison::measureFlip(const Image& test, const Image& reference) {
+    using Clock = std::chrono::steady_clock;
+    const auto secondsSince = [](Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    if (secondsSince(flipAt_) < kFlipPause * flipSeconds_) return;
+    const Clock::time_point start = Clock::now();
+    const std::optional<FlipResult> result = hdrFlip(test, reference);
+    flip_ = result ? std::optional(result->mean) : std::nullopt;
+    flipAt_ = Clock::now();
+    flipSeconds_ = secondsSince(start);
 }
 
 void Comparison::paint(const Image& test, const Image& reference, double meanLuminance) {

@@ -4,6 +4,8 @@
 #include "apps/view/side.h"
 #include "engine/metrics/error.h"
 
+#include <chrono>
+
 namespace manylight {
 
 class Comparison {
@@ -14,17 +16,23 @@ class Comparison {
     /// size. Nothing that presents picture() may run.
     void update(Renderer& side, const Image& reference);
     /// Forgets what was compared.
-    void clear() { report_.reset(); }
+    void clear();
     const std::optional<ErrorReport>& report() const { return report_; }
+    /// FLIP, HDR: computed now and then, as it takes long. Empty until then, and for a black reference.
+    const std::optional<double>& flip() const { return flip_; }
     /// Blue: the main side is darker; red: brighter; strongest at `kFullColour` times the mean luminance.
     PhysicalImage& picture() { return picture_; }
     static constexpr double kFullColour = 0.5;
 
   private:
     void paint(const Image& test, const Image& reference, double meanLuminance);
+    void measureFlip(const Image& test, const Image& reference);
 
     gpu::Device& device_;
     std::optional<ErrorReport> report_;
+    std::optional<double> flip_;
+    std::chrono::steady_clock::time_point flipAt_;
+    double flipSeconds_ = 0.0;  // that it took last time
     PhysicalImage picture_;
 };
 

@@ -87,7 +87,7 @@ void drawLights(const PanelView& view, PanelAnswer& answer) {
 }
 
 void drawLightHandles(const PanelView& view, PanelAnswer& answer) {
-    static std::optional<size_t> held;  // while the mouse button is down
+    std::optional<size_t>& held = view.heldLight;
     const Scene& scene = *view.state.scene;
     const Camera& camera = view.main.renderer().camera();
     const ImGuiIO& io = ImGui::GetIO();
@@ -99,14 +99,14 @@ void drawLightHandles(const PanelView& view, PanelAnswer& answer) {
         const bool isNear = std::hypot(io.MousePos.x - place->x, io.MousePos.y - place->y) <= kHandle;
         if (isNear && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.WantCaptureMouse) held = i;
         ImGui::GetBackgroundDrawList()->AddCircle(
-            *place, kHandle, isNear || held == i ? IM_COL32(255, 220, 80, 255) : IM_COL32(255, 255, 255, 140), 16, 2.0f);
+            *place, kHandle, isNear || held == i ? IM_COL32(255, 220, 80, 255) : IM_COL32(255, 255, 255, 140), 16,
+            2.0f);
     }
     if (!held) return;
-    answer.holdsLight = true;
     if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return;
-    const glm::dvec3 position = scene.frame.center + std::ldexp(1.0, scene.frame.exponent) *
-                                                         glm::dvec3(dragged(camera, scene.lights[*held].position,
-                                                                            io.MouseDelta));
+    const glm::dvec3 position =
+        scene.frame.center + std::ldexp(1.0, scene.frame.exponent) *
+                                 glm::dvec3(dragged(camera, scene.lights[*held].position, io.MouseDelta));
     answer.commands.push_back(
         fmt::format("light {} position {:.9g} {:.9g} {:.9g}", *held, position.x, position.y, position.z));
     answer.isDragging = true;

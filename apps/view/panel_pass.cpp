@@ -17,10 +17,10 @@ static_assert(sizeof(shared::PanelVertex) == sizeof(ImDrawVert));
 /// A buffer that the host writes and shaders read, at least as large as `bytes`.
 void reserve(gpu::Device& device, PhysicalBuffer& buffer, const char* name, size_t bytes) {
     if (buffer.buffer.exists() && buffer.buffer.size() >= bytes) return;
-    buffer = {gpu::Buffer(device, name,
-                          {std::max<size_t>(2 * bytes, 4096), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                           gpu::MemoryKind::Upload}),
-              {}};
+    buffer = {
+        gpu::Buffer(device, name,
+                    {std::max<size_t>(2 * bytes, 4096), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryKind::Upload}),
+        {}};
 }
 
 }  // namespace
@@ -55,8 +55,8 @@ void PanelFrame::upload(gpu::Device& device, const ImDrawData& data) {
             if (high.x > low.x && high.y > low.y && command.ElemCount > 0)
                 draws_.push_back({{low, high}, indexCount, command.ElemCount});
             for (uint32_t k = 0; k < command.ElemCount; ++k)
-                indices[indexCount++] = vertexCount + command.VtxOffset +
-                                        list.IdxBuffer[static_cast<int>(command.IdxOffset + k)];
+                indices[indexCount++] =
+                    vertexCount + command.VtxOffset + list.IdxBuffer[static_cast<int>(command.IdxOffset + k)];
         }
         std::copy(list.VtxBuffer.begin(), list.VtxBuffer.end(), vertices + vertexCount);
         vertexCount += static_cast<uint32_t>(list.VtxBuffer.Size);
@@ -74,9 +74,10 @@ ImageHandle PanelFrame::add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle ca
     canvas = pass.write(canvas, Access::ColorBlend);
     pass.execute([this, canvasSize, atlasSize = atlas.size()](PassContext& context) {
         for (const Draw& draw : draws_)
-            context.draw({.vertexShader = "window_panel.vert", .fragmentShader = "window_panel.frag", .overBlend = true},
-                         draw.indexCount,
-                         shared::WindowPanelPush{draw.clip, origin_, scale_, canvasSize, atlasSize, draw.firstIndex});
+            context.draw(
+                {.vertexShader = "window_panel.vert", .fragmentShader = "window_panel.frag", .overBlend = true},
+                draw.indexCount,
+                shared::WindowPanelPush{draw.clip, origin_, scale_, canvasSize, atlasSize, draw.firstIndex});
     });
     return canvas;
 }

@@ -18,10 +18,10 @@ struct NamedView {
     const char* lighting;
     const char* show;
 };
-constexpr std::array kViews = {NamedView{"both", "both", "picture"},     NamedView{"local", "local", "picture"},
-                               NamedView{"global", "global", "picture"}, NamedView{"VPLs", "both", "vpls"},
-                               NamedView{"normal", "both", "normal"},    NamedView{"albedo", "both", "albedo"},
-                               NamedView{"depth", "both", "depth"},      NamedView{"position", "both", "position"},
+constexpr std::array kViews = {NamedView{"both", "both", "picture"},      NamedView{"local", "local", "picture"},
+                               NamedView{"global", "global", "picture"},  NamedView{"VPLs", "both", "vpls"},
+                               NamedView{"normal", "both", "normal"},     NamedView{"albedo", "both", "albedo"},
+                               NamedView{"depth", "both", "depth"},       NamedView{"position", "both", "position"},
                                NamedView{"material", "both", "material"}, NamedView{"cut off", "both", "cut-off"}};
 
 void drawViews(const PanelView& view, PanelAnswer& answer) {
@@ -29,8 +29,9 @@ void drawViews(const PanelView& view, PanelAnswer& answer) {
     for (size_t i = 0; i < kViews.size(); ++i) {
         const NamedView& named = kViews[i];
         if (i % 4 != 0) ImGui::SameLine();
-        const bool isCurrent = named.show == std::string(name(settings.show)) &&
-                               (settings.show != Show::Picture || named.lighting == std::string(name(settings.lighting)));
+        const bool isCurrent =
+            named.show == std::string(name(settings.show)) &&
+            (settings.show != Show::Picture || named.lighting == std::string(name(settings.lighting)));
         if (isCurrent) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         if (ImGui::SmallButton(named.name)) {
             answer.commands.push_back(fmt::format("set lighting {}", named.lighting));
@@ -86,10 +87,11 @@ void drawCamera(const PanelView& view, PanelAnswer& answer) {
 
 void drawComparison(const PanelView& view, PanelAnswer& answer) {
     const ViewState& state = view.state;
-    if (view.difference) {
-        ImGui::Text("RMSE %.5g, mean %.5g", view.difference->rmse, view.difference->meanLuminanceReference);
-        if (view.difference->relativeMse) ImGui::Text("relative MSE %.5g", *view.difference->relativeMse);
-        if (view.difference->smape) ImGui::Text("SMAPE %.4f", *view.difference->smape);
+    if (const auto& report = view.comparison.report()) {
+        ImGui::Text("RMSE %.5g, mean %.5g", report->rmse, report->meanLuminanceReference);
+        if (report->relativeMse) ImGui::Text("relative MSE %.5g", *report->relativeMse);
+        if (report->smape) ImGui::Text("SMAPE %.4f", *report->smape);
+        if (view.comparison.flip()) ImGui::Text("FLIP %.4f", *view.comparison.flip());
     }
     if (view.hasReference && state.view.compare == Compare::Difference) {
         ImGui::TextUnformatted("against the reference file");
@@ -147,7 +149,9 @@ void drawDivider(const PanelView& view) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.AddLine({x, 0}, {x, window.y}, IM_COL32(255, 255, 255, 200), 2.0f * textScale());
     if (!view.state.view.panel) return;
-    const auto label = [&](const RenderSettings& s) { return fmt::format("{}, {} VPLs", name(s.technique), s.vplCount); };
+    const auto label = [&](const RenderSettings& s) {
+        return fmt::format("{}, {} VPLs", name(s.technique), s.vplCount);
+    };
     const std::string right = label(view.other.settings);
     const std::string left = label(view.main.settings);
     const float y = window.y - 2.0f * ImGui::GetFontSize();

@@ -10,16 +10,16 @@ struct PanelView {
     const ViewState& state;
     const Side& main;
     const Side& other;
-    const std::optional<ErrorReport>& difference;
+    const Comparison& comparison;
     gpu::Device& device;
     std::string window;  // the swapchain, in words
     bool hasReference = false;
+    std::optional<size_t>& heldLight;  // by the mouse; kept from frame to frame
 };
 
 struct PanelAnswer {
     std::vector<std::string> commands;
     bool isDragging = false;  // a value or a light is being dragged: pictures should come quickly
-    bool holdsLight = false;  // the mouse has a light, and does not turn the camera
 };
 
 /// Between Input::beginFrame() and ImGui::Render().

@@ -13,9 +13,7 @@ namespace {
 
 constexpr uint32_t kFullScreen = 3;  // vertices of one large triangle
 
-glm::uvec2 sizeOf(const PhysicalImage& image) {
-    return {image.texture.info().width, image.texture.info().height};
-}
+glm::uvec2 sizeOf(const PhysicalImage& image) { return {image.texture.info().width, image.texture.info().height}; }
 
 }  // namespace
 
@@ -54,8 +52,8 @@ bool Presenter::follow(glm::uvec2 size) {
     constexpr VkImageUsageFlags kUsage =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     canvas_ = {};
-    canvas_.texture = gpu::Texture(device_, "canvas",
-                                   {VK_FORMAT_R8G8B8A8_UNORM, swapchain_.size().x, swapchain_.size().y, kUsage});
+    canvas_.texture =
+        gpu::Texture(device_, "canvas", {VK_FORMAT_R8G8B8A8_UNORM, swapchain_.size().x, swapchain_.size().y, kUsage});
     return true;
 }
 
@@ -70,12 +68,11 @@ FrameGraph Presenter::declare(const Shown& shown, PanelFrame& panels, PhysicalIm
     const ImageHandle left = importPhysical(graph, "picture", picture);
     draw.read(left, Access::GraphicsStorageRead, shared::kBindingDisplay);
     PhysicalImage& other = hasOther ? *shown.other : nothing_;
-    draw.read(importPhysical(graph, "other picture", other), Access::GraphicsStorageRead,
-              shared::kBindingOtherDisplay);
+    draw.read(importPhysical(graph, "other picture", other), Access::GraphicsStorageRead, shared::kBindingOtherDisplay);
     canvas = draw.write(canvas, Access::ColorWrite, VkClearValue{});
-    const shared::WindowPicturePush push{sizeOf(picture), sizeOf(other), size,
-                                         hasOther ? shown.divider * static_cast<float>(size.x)
-                                                  : static_cast<float>(size.x)};
+    const shared::WindowPicturePush push{
+        sizeOf(picture), sizeOf(other), size,
+        hasOther ? shown.divider * static_cast<float>(size.x) : static_cast<float>(size.x)};
     draw.execute([push](PassContext& context) {
         context.draw({.vertexShader = "window_present.vert", .fragmentShader = "window_picture.frag"}, kFullScreen,
                      push);

@@ -56,8 +56,7 @@ void Side::start(const Scene& scene, const RenderSettings& wanted, const SideVie
         renderer_ = std::make_unique<Renderer>(*device_, scene, wanted);
         camera_.reset();
     }
-    if (!sameCamera(camera_, view.camera))
-        renderer_->lookThrough(view.camera.value_or(scene.cameras[wanted.camera]));
+    if (!sameCamera(camera_, view.camera)) renderer_->lookThrough(view.camera.value_or(scene.cameras[wanted.camera]));
     camera_ = view.camera;
 }
 

@@ -11,7 +11,7 @@ namespace manylight {
 
 /// What the window asks of every side, beside its settings.
 struct SideView {
-    glm::uvec2 size{0};  // pixels, before quality.scale
+    glm::uvec2 size{0};            // pixels, before quality.scale
     std::optional<Camera> camera;  // empty: that of the settings
     FrameQuality quality;
     bool isMoving = false;

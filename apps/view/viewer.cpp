@@ -22,7 +22,7 @@ constexpr double kStillAfter = 0.2;            // seconds
 constexpr double kIdlePoll = 0.05;             // seconds between frames that show nothing new
 constexpr double kWatchPeriod = 0.5;           // seconds between looks at the shaders
 constexpr double kMessageSeconds = 6.0;
-constexpr double kComparePeriod = 0.3;         // seconds between comparisons
+constexpr double kComparePeriod = 0.3;  // seconds between comparisons
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -164,12 +164,13 @@ void Viewer::followScript() {
 
 void Viewer::takeInput(double seconds) {
     for (const std::string& key : input_.takePressedKeys())
-        if (const std::string command = commandOfKey(key); !command.empty()) perform(parseCommand(command, "key " + key));
+        if (const std::string command = commandOfKey(key); !command.empty())
+            perform(parseCommand(command, "key " + key));
     if (state_.view.compare == Compare::Split)
         if (const auto divider = input_.draggedDivider(static_cast<float>(state_.view.divider)))
             state_.view.divider = double{*divider};
     CameraInput camera = input_.camera();
-    if (lightIsHeld_) camera.turn = glm::dvec2(0.0);
+    if (heldLight_) camera.turn = glm::dvec2(0.0);
     const double height = std::max(double{ImGui::GetIO().DisplaySize.y}, 1.0);
     secondsSinceMove_ += seconds;
     if (state_.motion.advance(camera, state_.view.navigation, seconds, height)) {
@@ -180,9 +181,8 @@ void Viewer::takeInput(double seconds) {
 
 void Viewer::showPanels() {
     if (!main_.exists()) return;
-    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_.report(), device_,
-                                           presenter_.swapchain().describe(), reference_.has_value()});
-    lightIsHeld_ = answer.holdsLight;
+    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_, device_,
+                                           presenter_.swapchain().describe(), reference_.has_value(), heldLight_});
     if (answer.isDragging) secondsSinceMove_ = 0.0;
     for (const std::string& command : answer.commands) perform(parseCommand(command, "panel"));
 }
@@ -262,8 +262,7 @@ void Viewer::reloadShaders() {
 }
 
 void Viewer::tell(std::string message, bool isError) {
-    if (isError && (message != state_.message || !state_.isError))
-        fmt::print(stderr, "manylight-view: {}\n", message);
+    if (isError && (message != state_.message || !state_.isError)) fmt::print(stderr, "manylight-view: {}\n", message);
     state_.message = std::move(message);
     state_.isError = isError;
     state_.messageSeconds = kMessageSeconds;

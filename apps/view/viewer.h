@@ -5,9 +5,9 @@
 #include "apps/view/comparison.h"
 #include "apps/view/input.h"
 #include "apps/view/presenter.h"
-#include "apps/view_model/shader_reloader.h"
 #include "apps/view_model/camera_motion.h"
 #include "apps/view_model/script.h"
+#include "apps/view_model/shader_reloader.h"
 #include "apps/view_model/time_history.h"
 #include "apps/view_model/view_settings.h"
 
@@ -108,14 +108,14 @@ class Viewer {
     std::unique_ptr<ShaderReloader> reloader_;
     std::vector<Command> script_;
     size_t nextLine_ = 0;
-    uint32_t waitFrames_ = 0;   // of the script
+    uint32_t waitFrames_ = 0;        // of the script
     std::filesystem::path awaited_;  // a file that the script waits for
-    uint32_t holdFrames_ = 0;  // the script wants the mean of so many; 0: no wish
+    uint32_t holdFrames_ = 0;        // the script wants the mean of so many; 0: no wish
     std::chrono::steady_clock::time_point lastFrame_;
     double secondsSinceMove_ = 1e9;
-    bool lightIsHeld_ = false;  // by the mouse
+    std::optional<size_t> heldLight_;  // by the mouse, which does not turn the camera then
     std::vector<PassTime> passTimes_;  // of the frame at hand
-    glm::uvec2 comparedFrames_{0};  // of both sides
+    glm::uvec2 comparedFrames_{0};     // of both sides
     std::chrono::steady_clock::time_point comparedAt_;
     std::chrono::steady_clock::time_point watchedAt_;
     uint64_t frames_ = 0;

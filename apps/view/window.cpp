@@ -70,7 +70,8 @@ VkSurfaceKHR Window::createSurface(gpu::Device& device) const {
                "connecting to the window");
     VkBool32 supported = VK_FALSE;
     vkGetPhysicalDeviceSurfaceSupportKHR(device.physicalDevice(), device.queueFamily(), surface, &supported);
-    if (supported == VK_FALSE) fail("device {} has no queue that presents to this window; {}", device.info().name, kHint);
+    if (supported == VK_FALSE)
+        fail("device {} has no queue that presents to this window; {}", device.info().name, kHint);
     return surface;
 }
 

@@ -80,8 +80,7 @@ bool CameraMotion::advance(const CameraInput& input, Navigation navigation, doub
     const double perPixel = 2.0 * distance * std::tan(glm::radians(pose_.fovDegrees) / 2.0) / height;
     shift(step * (input.move.x * axes.right + input.move.y * worldUp_ + input.move.z * axes.forward) +
           perPixel * (-input.pan.x * axes.right + input.pan.y * axes.up));
-    if (!flies)
-        pose_.origin = pose_.target + std::pow(kZoomPerNotch, input.wheel) * (pose_.origin - pose_.target);
+    if (!flies) pose_.origin = pose_.target + std::pow(kZoomPerNotch, input.wheel) * (pose_.origin - pose_.target);
     return true;
 }
 

@@ -26,7 +26,7 @@ class FrameBudget {
     uint32_t rung() const { return rung_; }
 
   private:
-    uint32_t rung_ = 4;  // where nothing is known yet
+    uint32_t rung_ = 4;    // where nothing is known yet
     bool isFirst_ = true;  // on this rung: pipelines may have been compiled and memory allocated
 };
 

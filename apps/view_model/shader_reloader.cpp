@@ -3,10 +3,10 @@
 #include "engine/core/error.h"
 #include "engine/core/file.h"
 
+#include <unistd.h>
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <unistd.h>
 
 namespace manylight {
 namespace {
@@ -99,8 +99,8 @@ CompiledShader ShaderReloader::compile(const fs::path& entryPoint) const {
     shader.name = entryPoint.filename().string();
     const fs::path output = fs::temp_directory_path() / fmt::format("manylight-{}-{}.spv", getpid(), shader.name);
     const auto [text, isDone] =
-        runCommand(fmt::format("glslangValidator --quiet -V --target-env vulkan1.3 -I{} -o {} {}", quoted(tree_.string()),
-                               quoted(output.string()), quoted(entryPoint.string())));
+        runCommand(fmt::format("glslangValidator --quiet -V --target-env vulkan1.3 -I{} -o {} {}",
+                               quoted(tree_.string()), quoted(output.string()), quoted(entryPoint.string())));
     if (isDone && isRegularFile(output)) {
         const std::string bytes = readTextFile(output);
         shader.words.resize(bytes.size() / sizeof(uint32_t));

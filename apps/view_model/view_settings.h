@@ -17,8 +17,8 @@ struct ViewSettings {
     bool help = false;
     bool timings = true;
     Navigation navigation = Navigation::Fly;
-    double budget = 80.0;       // milliseconds a frame may take while something moves; 0: no limit
-    double pixelScale = 1.0;    // of the picture, per pixel of the window
+    double budget = 80.0;        // milliseconds a frame may take while something moves; 0: no limit
+    double pixelScale = 1.0;     // of the picture, per pixel of the window
     uint32_t frameLimit = 4096;  // frames after which a still picture is done
     Compare compare = Compare::Off;
     double divider = 0.5;  // share of the width

@@ -38,8 +38,8 @@ bool hasExtension(VkPhysicalDevice device, std::string_view name) {
 }  // namespace
 
 Device::Device(const DeviceOptions& options)
-    : instance_(std::make_unique<Instance>(options.validation, options.window ? options.window->instanceExtensions
-                                                                              : std::vector<std::string>{})) {
+    : instance_(std::make_unique<Instance>(
+          options.validation, options.window ? options.window->instanceExtensions : std::vector<std::string>{})) {
     info_ = instance_->choose(options.select);
     requireEverything(info_);
 

@@ -180,7 +180,8 @@ void PipelineLibrary::replaceShader(const std::string& shader, const std::vector
         });
     };
     forget(compute_, [&](const ComputeKey& key) { return key.shader == shader; });
-    forget(graphics_, [&](const GraphicsKey& key) { return key.vertexShader == shader || key.fragmentShader == shader; });
+    forget(graphics_,
+           [&](const GraphicsKey& key) { return key.vertexShader == shader || key.fragmentShader == shader; });
 }
 
 }  // namespace manylight::gpu

@@ -313,8 +313,8 @@ void GraphExecutor::wait() {
     if (result < VK_SUCCESS) {
         const uint32_t started = breadcrumbs_.startedCount();
         gpu::check(result, started == 0 ? std::string("running a frame, before its first pass")
-                                        : fmt::format("running a frame, in pass {} ({} of {})",
-                                                      submitted_[started - 1], started, submitted_.size()));
+                                        : fmt::format("running a frame, in pass {} ({} of {})", submitted_[started - 1],
+                                                      started, submitted_.size()));
     }
     gpu::check(vkResetFences(device_.handle(), 1, &fence_), "running a frame");
 }

@@ -145,8 +145,7 @@ void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene
     gpuScene.totalBytes -= gpuScene.emitters.buffer.size();
     gpuScene.emitterTable = std::move(table);
     SceneUploader uploader(device);
-    gpuScene.emitters =
-        uploader.upload("emitters", gpuScene.emitterTable.emitters, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    gpuScene.emitters = uploader.upload("emitters", gpuScene.emitterTable.emitters, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     uploader.finish();
     gpuScene.totalBytes += gpuScene.emitters.buffer.size();
 }

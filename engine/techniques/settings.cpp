@@ -33,9 +33,9 @@ constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<Cla
 constexpr std::array kMaterials = {Name<Materials>{Materials::Full, "full"},
                                    Name<Materials>{Materials::Diffuse, "diffuse"}};
 constexpr std::array kSequences = {Name<bool>{true, "continued"}, Name<bool>{false, "independent"}};
-constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},  Name<Show>{Show::Vpls, "vpls"},
-                               Name<Show>{Show::Normal, "normal"},    Name<Show>{Show::Albedo, "albedo"},
-                               Name<Show>{Show::Depth, "depth"},      Name<Show>{Show::Position, "position"},
+constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},
+                               Name<Show>{Show::Normal, "normal"},     Name<Show>{Show::Albedo, "albedo"},
+                               Name<Show>{Show::Depth, "depth"},       Name<Show>{Show::Position, "position"},
                                Name<Show>{Show::Material, "material"}, Name<Show>{Show::CutOff, "cut-off"}};
 constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
                                 Name<ToneCurve>{ToneCurve::Reinhard, "reinhard"},
@@ -163,7 +163,8 @@ const std::vector<Setting>& settingTable() {
         {{"plan", "on|off", "leave out what the scene does not need"},
          [](S& s, T o, T v) { s.plan = parseSwitch(o, v); },
          [](C s) -> Json { return s.plan; }},
-        {{"check-finite", "on|off", "look for infinities and NaN in what every pass wrote, and end with an error; slow"},
+        {{"check-finite", "on|off",
+          "look for infinities and NaN in what every pass wrote, and end with an error; slow"},
          [](S& s, T o, T v) { s.checkFinite = parseSwitch(o, v); },
          [](C s) -> Json { return s.checkFinite; }},
     };

@@ -18,7 +18,9 @@ CameraMotion plainMotion() {
     return motion;
 }
 
-void expectNear(const glm::dvec3& a, const glm::dvec3& b) { EXPECT_LT(glm::length(a - b), 1e-9) << a.x << ' ' << a.y << ' ' << a.z; }
+void expectNear(const glm::dvec3& a, const glm::dvec3& b) {
+    EXPECT_LT(glm::length(a - b), 1e-9) << a.x << ' ' << a.y << ' ' << a.z;
+}
 
 TEST(CameraMotion, AQuarterOfTheSceneASecondAlongTheAxes) {
     CameraMotion motion = plainMotion();

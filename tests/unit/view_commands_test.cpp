@@ -98,7 +98,8 @@ TEST_F(ShaderReload, CompilesWhatChangedOrIncludesItAndTellsWhereAnErrorIs) {
     const char* const header = "#define BRIGHT 1.0\n";
     const auto shader = [](const std::string& body) {
         return "#version 460\n#extension GL_GOOGLE_include_directive : require\n#include \"shaders/lib/a.glsl\"\n"
-               "void main() { " + body + " }\n";
+               "void main() { " +
+               body + " }\n";
     };
     write("shaders/lib/a.glsl", header);
     write("shaders/passes/one.comp", shader("float x = BRIGHT;"));
@@ -107,8 +108,8 @@ TEST_F(ShaderReload, CompilesWhatChangedOrIncludesItAndTellsWhereAnErrorIs) {
     EXPECT_TRUE(reloader.compileChanged().empty());
 
     const auto touch = [&](const char* name, int seconds) {
-        std::filesystem::last_write_time(folder_ / name,
-                                         std::filesystem::last_write_time(folder_ / name) + std::chrono::seconds(seconds));
+        std::filesystem::last_write_time(
+            folder_ / name, std::filesystem::last_write_time(folder_ / name) + std::chrono::seconds(seconds));
     };
     touch("shaders/lib/a.glsl", 1);
     std::vector<CompiledShader> compiled = reloader.compileChanged();
@@ -128,7 +129,8 @@ TEST_F(ShaderReload, CompilesWhatChangedOrIncludesItAndTellsWhereAnErrorIs) {
 }
 
 TEST_F(ShaderReload, NeedsASourceTree) {
-    EXPECT_THAT(messageOf([&] { ShaderReloader reloader(folder_); }), HasSubstr("expected a folder that has shaders/passes"));
+    EXPECT_THAT(messageOf([&] { ShaderReloader reloader(folder_); }),
+                HasSubstr("expected a folder that has shaders/passes"));
 }
 
 }  // namespace

@@ -60,9 +60,10 @@ TEST_F(ViewerPictures, OfEveryTechniqueAndViewAreThoseOfTheRenderer) {
 }
 
 TEST_F(ViewerPictures, OfASavedViewAreTheSameWithoutAWindow) {
-    view("set panel off\nkey w 4\ndrag left 9 4 3\nreport moving.json\nset clamp bound\nadd-light point\n"
-         "light 0 brightness 0.5\nframes 2\ncapture seen.png\nsave-view view.json",
-         "--vpls 12 --light-samples 4 --budget 1");
+    view(
+        "set panel off\nkey w 4\ndrag left 9 4 3\nreport moving.json\nset clamp bound\nadd-light point\n"
+        "light 0 brightness 0.5\nframes 2\ncapture seen.png\nsave-view view.json",
+        "--vpls 12 --light-samples 4 --budget 1");
     EXPECT_EQ(jsonOf("moving.json")["moving"], true);
     EXPECT_LT(jsonOf("moving.json")["quality"]["scale"], 1.0) << "smaller while it moves";
     EXPECT_EQ(jsonOf("end.json")["quality"]["scale"], 1.0);
@@ -71,11 +72,12 @@ TEST_F(ViewerPictures, OfASavedViewAreTheSameWithoutAWindow) {
 }
 
 TEST_F(ViewerPictures, SplitAndDifferenceShowBothSides) {
-    view("set panel off\nset other.technique deferred\nset other.vpls 3\nset compare split\nset divider 0.25\nframes 2\n"
-         "screenshot split.png\nset divider 0\nscreenshot other.png\nset compare off\nframes 2\n"
-         "screenshot main.png\nset other.vpls 12\nset compare difference\nframes 2\nreport same.json\n"
-         "set other.vpls 3\nframes 2\nreport differs.json",
-         "--vpls 12");
+    view(
+        "set panel off\nset other.technique deferred\nset other.vpls 3\nset compare split\nset divider 0.25\nframes 2\n"
+        "screenshot split.png\nset divider 0\nscreenshot other.png\nset compare off\nframes 2\n"
+        "screenshot main.png\nset other.vpls 12\nset compare difference\nframes 2\nreport same.json\n"
+        "set other.vpls 3\nframes 2\nreport differs.json",
+        "--vpls 12");
     const EncodedImage split = imageOf("split.png");
     const EncodedImage main = imageOf("main.png");
     const EncodedImage other = imageOf("other.png");
@@ -89,7 +91,9 @@ TEST_F(ViewerPictures, SplitAndDifferenceShowBothSides) {
             ASSERT_EQ(split.rgba[pixel], expected.rgba[pixel]) << x << ", " << y;
         }
     EXPECT_EQ(jsonOf("same.json")["rmse"], 0.0);
+    EXPECT_EQ(jsonOf("same.json")["flip"], 0.0);
     EXPECT_GT(jsonOf("differs.json")["rmse"], 0.0);
+    EXPECT_GT(jsonOf("differs.json")["flip"], 0.0);
 }
 
 }  // namespace

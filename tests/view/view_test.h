@@ -27,16 +27,17 @@ class ViewerTest : public testing::SceneFiles {
 
     /// Exit code; what it prints goes to the file "output".
     int run(const std::string& command) const {
-        const std::string whole = fmt::format("cd '{}' && MANYLIGHT_VALIDATION=sync timeout 120 {} >output 2>&1",
-                                              folder_.string(), command);
+        const std::string whole =
+            fmt::format("cd '{}' && MANYLIGHT_VALIDATION=sync timeout 120 {} >output 2>&1", folder_.string(), command);
         const int status = std::system(whole.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
     /// Runs the viewer in the test's folder, where the script's files are too; no validation message may come.
     void view(const std::string& script, const std::string& options = "") const {
         write("script.txt", script + "\nreport end.json\nquit\n");
-        const std::string command = fmt::format("xvfb-run -a {} {}/scenes/cornell_box.json --size {}x{} {} --script script.txt",
-                                                program("view"), MANYLIGHT_SOURCE_DIR, kWidth, kHeight, options);
+        const std::string command =
+            fmt::format("xvfb-run -a {} {}/scenes/cornell_box.json --size {}x{} {} --script script.txt",
+                        program("view"), MANYLIGHT_SOURCE_DIR, kWidth, kHeight, options);
         ASSERT_EQ(run(command), 0) << textOf("output");
         EXPECT_EQ(jsonOf("end.json")["validation_messages"], 0) << textOf("output");
     }

@@ -12,10 +12,12 @@ using ::testing::HasSubstr;
 using ViewerWindow = ViewerTest;
 
 TEST_F(ViewerWindow, FollowsItsSizeAndShowsItsPanels) {
-    view("set panel off\nframes 1\nresize 130 70\nframes 2\nscreenshot large.png\nreport large.json\nresize 64 48\n"
-         "frames 1\nscreenshot small.png\nresize 300 200\nset panel on\nset keys on\nframes 1\nwait 2\nscreenshot panels.png\n"
-         "key tab\nkey f1\nwait 1\nscreenshot plain.png\ncapture plain_too.png",
-         "--vpls 4");
+    view(
+        "set panel off\nframes 1\nresize 130 70\nframes 2\nscreenshot large.png\nreport large.json\nresize 64 48\n"
+        "frames 1\nscreenshot small.png\nresize 300 200\nset panel on\nset keys on\nframes 1\nwait 2\nscreenshot "
+        "panels.png\n"
+        "key tab\nkey f1\nwait 1\nscreenshot plain.png\ncapture plain_too.png",
+        "--vpls 4");
     EXPECT_EQ(imageOf("large.png").width, 130u);
     EXPECT_EQ(imageOf("large.png").height, 70u);
     EXPECT_EQ(jsonOf("large.json")["settings"]["size"], "130x70");
@@ -26,14 +28,17 @@ TEST_F(ViewerWindow, FollowsItsSizeAndShowsItsPanels) {
 TEST_F(ViewerWindow, KeepsTheSceneIfAnotherIsBroken) {
     write("broken.gltf", "{\"asset\": 3");
     write("good.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
-    view("set panel off\nframes 1\nopen broken.gltf\nwait 1\nreport broken.json\nopen missing.json\nwait 1\nreport missing.json\n"
-         "set vpls many\nreport setting.json\nset technique forward\nset show cut-off\nwait 2\nreport refused.json\n"
-         "open good.obj\nframes 1\nreport good.json",
-         "--vpls 4");
+    view(
+        "set panel off\nframes 1\nopen broken.gltf\nwait 1\nreport broken.json\nopen missing.json\nwait 1\nreport "
+        "missing.json\n"
+        "set vpls many\nreport setting.json\nset technique forward\nset show cut-off\nwait 2\nreport refused.json\n"
+        "open good.obj\nframes 1\nreport good.json",
+        "--vpls 4");
     EXPECT_EQ(jsonOf("broken.json")["scene"], "cornell_box");
     EXPECT_THAT(jsonOf("broken.json")["message"].get<std::string>(), HasSubstr("broken.gltf"));
     EXPECT_THAT(jsonOf("missing.json")["message"].get<std::string>(), HasSubstr("missing.json"));
-    EXPECT_THAT(jsonOf("setting.json")["message"].get<std::string>(), HasSubstr("--vpls many: expected a whole number"));
+    EXPECT_THAT(jsonOf("setting.json")["message"].get<std::string>(),
+                HasSubstr("--vpls many: expected a whole number"));
     EXPECT_EQ(jsonOf("refused.json")["settings"]["show"], "picture") << "what does not fit is taken back";
     EXPECT_THAT(jsonOf("refused.json")["message"].get<std::string>(), HasSubstr("--technique deferred only"));
     EXPECT_EQ(jsonOf("good.json")["scene"], "good");
@@ -60,9 +65,10 @@ TEST_F(ViewerWindow, TakesUpShadersThatChangeAndKeepsThoseThatWorked) {
         write("shaders/passes/tonemap.comp", head + "oops;\n}\n");
         write("broken", "");
     });
-    view("set panel off\nframes 1\nreport started.json\nwait-for changed\nwatch\nframes 1\nscreenshot magenta.png\n"
-         "wait-for broken\nwatch\nwait 1\nreport broken.json\nscreenshot still.png",
-         "--vpls 4 --watch-shaders .");
+    view(
+        "set panel off\nframes 1\nreport started.json\nwait-for changed\nwatch\nframes 1\nscreenshot magenta.png\n"
+        "wait-for broken\nwatch\nwait 1\nreport broken.json\nscreenshot still.png",
+        "--vpls 4 --watch-shaders .");
     developer.join();
     const EncodedImage magenta = imageOf("magenta.png");
     for (size_t i = 0; i < magenta.rgba.size(); i += 4)
