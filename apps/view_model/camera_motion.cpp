@@ -12,7 +12,9 @@ constexpr double kTurnPerHeight = 2.0;  // radians for a drag over the window's 
 constexpr double kSpeedPerNotch = 1.25;
 constexpr double kZoomPerNotch = 0.9;
 constexpr double kFast = 4.0;
-constexpr double kPole = 0.01;  // radians that the view keeps from straight up and down
+constexpr double kNearest = 1e-5;  // of what is orbited, in scene sizes
+constexpr double kFarthest = 1e4;  // from home, in scene sizes
+constexpr double kPole = 0.01;     // radians that the view keeps from straight up and down
 
 struct Axes {
     glm::dvec3 forward;
@@ -56,6 +58,7 @@ void CameraMotion::reset(const CameraPose& pose, double sceneSize) {
 
 void CameraMotion::look(const CameraPose& pose) {
     pose_ = pose;
+    home_ = pose.origin;
     worldUp_ = glm::normalize(pose.up);
     // A camera that looks down at a scene with the usual up has that up, slightly tilted.
     for (const glm::dvec3& axis : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
@@ -80,7 +83,11 @@ bool CameraMotion::advance(const CameraInput& input, Navigation navigation, doub
     const double perPixel = 2.0 * distance * std::tan(glm::radians(pose_.fovDegrees) / 2.0) / height;
     shift(step * (input.move.x * axes.right + input.move.y * worldUp_ + input.move.z * axes.forward) +
           perPixel * (-input.pan.x * axes.right + input.pan.y * axes.up));
-    if (!flies) pose_.origin = pose_.target + std::pow(kZoomPerNotch, input.wheel) * (pose_.origin - pose_.target);
+    if (!flies) {
+        const double wanted = glm::length(pose_.target - pose_.origin) * std::pow(kZoomPerNotch, input.wheel);
+        const double allowed = std::clamp(wanted, kNearest * sceneSize_, kFarthest * sceneSize_);
+        pose_.origin = pose_.target - allowed * axesOf(pose_, worldUp_).forward;
+    }
     return true;
 }
 
@@ -98,7 +105,9 @@ void CameraMotion::orbit(const glm::dvec2& radians) {
     pose_.up = worldUp_;
 }
 
+// Not so far away that double precision could not tell origin and target apart.
 void CameraMotion::shift(const glm::dvec3& by) {
+    if (glm::length(pose_.origin + by - home_) > kFarthest * sceneSize_) return;
     pose_.origin += by;
     pose_.target += by;
 }

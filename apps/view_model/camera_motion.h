@@ -37,6 +37,7 @@ class CameraMotion {
     void shift(const glm::dvec3& by);
 
     CameraPose pose_;
+    glm::dvec3 home_{0.0};  // where it was told to look from
     glm::dvec3 worldUp_{0.0, 1.0, 0.0};
     double sceneSize_ = 1.0;
     double speed_ = 0.25;

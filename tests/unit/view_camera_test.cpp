@@ -66,6 +66,18 @@ TEST(CameraMotion, TheViewStopsShortOfThePoles) {
     EXPECT_GT(motion.pose().origin.x, 0.9) << "right is still right";
 }
 
+TEST(CameraMotion, NothingLeadsOutOfTheWorldOrIntoAPoint) {
+    CameraMotion motion = plainMotion();
+    for (int i = 0; i < 2000; ++i)
+        motion.advance({.move = {0, 0, -1}, .wheel = 5, .fast = true}, Navigation::Fly, 1.0, kHeight);
+    const double away = glm::length(motion.pose().origin - plainPose().origin);
+    EXPECT_GT(away, 1e3);
+    EXPECT_LE(away, 1e4 * 8.0);
+    expectNear(motion.pose().target - motion.pose().origin, {0, 0, -5});
+    for (int i = 0; i < 2000; ++i) motion.advance({.wheel = 9}, Navigation::Orbit, 1.0, kHeight);
+    EXPECT_NEAR(glm::length(motion.pose().target - motion.pose().origin), 1e-5 * 8.0, 1e-9);
+}
+
 TEST(CameraMotion, PanningMovesWhatIsLookedAtWithTheMouse) {
     CameraMotion motion = plainMotion();
     const double perPixel = 2.0 * 5.0 * std::tan(glm::radians(22.5)) / kHeight;
