@@ -16,3 +16,16 @@ find_package(CLI11 REQUIRED)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_path(STB_INCLUDE_DIR NAMES stb_image.h PATH_SUFFIXES stb REQUIRED)
 find_path(VOLK_INCLUDE_DIR NAMES volk.h PATH_SUFFIXES volk REQUIRED)
+
+# The viewer's window.
+if(MANYLIGHT_BUILD_APPS)
+  find_package(glfw3 3.3 REQUIRED)
+  find_path(IMGUI_INCLUDE_DIR NAMES imgui.h PATH_SUFFIXES imgui REQUIRED)
+  find_library(IMGUI_LIBRARY imgui REQUIRED)
+  find_library(STB_LIBRARY stb REQUIRED)  # the system's imgui leaves its fonts and text fields to it
+  add_library(imgui::imgui UNKNOWN IMPORTED)
+  set_target_properties(imgui::imgui PROPERTIES
+    IMPORTED_LOCATION ${IMGUI_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${IMGUI_INCLUDE_DIR}
+    INTERFACE_LINK_LIBRARIES ${STB_LIBRARY})
+endif()

@@ -15,14 +15,19 @@ void addStandardOptions(CLI::App& app) {
 }
 
 void addSettingOptions(CLI::App& app, TypedSettings& typed, const std::vector<std::string>& except) {
-    for (const SettingHelp& help : settingHelps()) {
+    addOptions(app, settingHelps(), typed, "Rendering", except);
+}
+
+void addOptions(CLI::App& app, const std::vector<SettingHelp>& helps, TypedSettings& typed, const std::string& group,
+                const std::vector<std::string>& except) {
+    for (const SettingHelp& help : helps) {
         const std::string option = help.option;
         if (std::find(except.begin(), except.end(), option) != except.end()) continue;
         app.add_option_function<std::string>(
                "--" + option, [&typed, option](const std::string& value) { typed.emplace_back(option, value); },
                help.help)
             ->type_name(help.values)
-            ->group("Rendering");
+            ->group(group);
     }
 }
 

@@ -23,6 +23,10 @@ void addStandardOptions(CLI::App& app);
 /// Adds one option for every setting of the renderer, but those in `except`.
 void addSettingOptions(CLI::App& app, TypedSettings& typed, const std::vector<std::string>& except = {});
 
+/// The same for options described elsewhere.
+void addOptions(CLI::App& app, const std::vector<SettingHelp>& helps, TypedSettings& typed, const std::string& group,
+                const std::vector<std::string>& except = {});
+
 /// Sidecar settings first, then the command line's.
 RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed);
 

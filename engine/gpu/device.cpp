@@ -2,26 +2,44 @@
 
 #include "engine/gpu/requirements.h"
 
+#include <algorithm>
+#include <string_view>
 #include <vector>
 
 namespace manylight::gpu {
 namespace {
 
-uint32_t chooseQueueFamily(VkPhysicalDevice physicalDevice) {
+uint32_t chooseQueueFamily(VkInstance instance, VkPhysicalDevice physicalDevice,
+                           const std::optional<WindowSystem>& window) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physicalDevice, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physicalDevice, &count, families.data());
     constexpr VkQueueFlags kWanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    for (uint32_t family = 0; family < count; ++family)
-        if ((families[family].queueFlags & kWanted) == kWanted && families[family].timestampValidBits > 0)
-            return family;
+    bool foundOne = false;
+    for (uint32_t family = 0; family < count; ++family) {
+        if ((families[family].queueFlags & kWanted) != kWanted || families[family].timestampValidBits == 0) continue;
+        foundOne = true;
+        if (!window || window->canPresent(instance, physicalDevice, family)) return family;
+    }
+    if (foundOne) fail("the device has no queue that renders and presents to a window");
     fail("the device has no queue with graphics, compute and timestamps");
+}
+
+bool hasExtension(VkPhysicalDevice device, std::string_view name) {
+    uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extensions(count);
+    vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data());
+    return std::any_of(extensions.begin(), extensions.end(),
+                       [&](const VkExtensionProperties& extension) { return name == extension.extensionName; });
 }
 
 }  // namespace
 
-Device::Device(const DeviceOptions& options) : instance_(std::make_unique<Instance>(options.validation)) {
+Device::Device(const DeviceOptions& options)
+    : instance_(std::make_unique<Instance>(
+          options.validation, options.window ? options.window->instanceExtensions : std::vector<std::string>{})) {
     info_ = instance_->choose(options.select);
     requireEverything(info_);
 
@@ -38,7 +56,7 @@ Device::Device(const DeviceOptions& options) : instance_(std::make_unique<Instan
     subgroupSize_ = properties11.subgroupSize;
     canRequireSubgroupSize_ = (properties13.requiredSubgroupSizeStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
 
-    queueFamily_ = chooseQueueFamily(info_.handle);
+    queueFamily_ = chooseQueueFamily(instance_->handle(), info_.handle, options.window);
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queueInfo{};
     queueInfo.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
@@ -47,7 +65,12 @@ Device::Device(const DeviceOptions& options) : instance_(std::make_unique<Instan
     queueInfo.pQueuePriorities = &priority;
 
     RequiredFeatures required;
-    const std::vector<const char*> extensions = requiredExtensions();
+    std::vector<const char*> extensions = requiredExtensions();
+    if (options.window) {
+        if (!hasExtension(info_.handle, VK_KHR_SWAPCHAIN_EXTENSION_NAME))
+            fail("device {} cannot present to windows", info_.name);
+        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    }
     VkDeviceCreateInfo deviceInfo{};
     deviceInfo.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     deviceInfo.pNext = required.chain();

@@ -4,19 +4,31 @@
 #include "engine/gpu/allocator.h"
 #include "engine/gpu/instance.h"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace manylight::gpu {
+
+/// What a device needs to show its pictures in windows.
+struct WindowSystem {
+    std::vector<std::string> instanceExtensions;
+    /// Whether a queue of this family can present.
+    std::function<bool(VkInstance, VkPhysicalDevice, uint32_t family)> canPresent;
+};
 
 struct DeviceOptions {
     std::string select;  // see Instance::choose
     Validation validation = validationFromEnvironment();
+    std::optional<WindowSystem> window = std::nullopt;
 };
 
 class Device {
   public:
-    /// Throws one Error that lists every feature, extension and limit the device lacks.
+    /// Throws one Error that lists every feature, extension and limit the device lacks; with a window, also if no queue
+    /// can present.
     explicit Device(const DeviceOptions& options = {});
     ~Device();
     Device(const Device&) = delete;

@@ -41,9 +41,13 @@ void GraphicsState::setTargets(const GraphicsKey& key) {
     VkPipelineColorBlendAttachmentState target{};
     target.colorWriteMask =
         VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-    target.blendEnable = key.additiveBlend;
+    target.blendEnable = key.additiveBlend || key.overBlend;
     target.srcColorBlendFactor = target.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
     target.srcAlphaBlendFactor = target.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+    if (key.overBlend) {
+        target.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+        target.dstColorBlendFactor = target.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    }
     targets_.assign(key.colorFormats.size(), target);
     blend_.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
     blend_.attachmentCount = static_cast<uint32_t>(targets_.size());

@@ -68,7 +68,7 @@ Validation validationFromEnvironment() {
     failUsage("MANYLIGHT_VALIDATION={}: expected off, core or sync", value);
 }
 
-Instance::Instance(Validation validation) : validation_(validation) {
+Instance::Instance(Validation validation, const std::vector<std::string>& windowExtensions) : validation_(validation) {
     if (volkInitialize() != VK_SUCCESS)
         fail("no Vulkan loader found (libvulkan.so.1): install your GPU's driver, or mesa-vulkan-drivers");
     if (volkGetInstanceVersion() < VK_API_VERSION_1_3) fail("the Vulkan loader is older than 1.3: update libvulkan1");
@@ -84,6 +84,10 @@ Instance::Instance(Validation validation) : validation_(validation) {
     std::vector<const char*> extensions;
     const bool debugUtils = extensionExists(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     if (debugUtils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    for (const std::string& extension : windowExtensions) {
+        if (!extensionExists(extension.c_str())) fail("Vulkan cannot show windows here: {} is missing", extension);
+        extensions.push_back(extension.c_str());
+    }
 
     const VkValidationFeatureEnableEXT sync = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     const VkValidationFeaturesEXT features{.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,

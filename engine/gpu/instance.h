@@ -26,8 +26,9 @@ struct DeviceInfo {
 
 class Instance {
   public:
-    /// Throws Error if there is no Vulkan 1.3 loader, or if validation is asked for and its layer is not installed.
-    explicit Instance(Validation validation);
+    /// Throws Error if there is no Vulkan 1.3 loader, if validation is asked for and its layer is not installed, or if
+    /// an extension of `windowExtensions` is missing.
+    explicit Instance(Validation validation, const std::vector<std::string>& windowExtensions = {});
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;

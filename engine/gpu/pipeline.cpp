@@ -152,13 +152,36 @@ VkShaderModule PipelineLibrary::moduleFor(const std::string& shader) {
     const std::lock_guard lock(mutex_);
     VkShaderModule& module = modules_[shader];
     if (module != VK_NULL_HANDLE) return module;
-    const auto code = shaderCode(shader);
+    module = makeModule(shader, shaderCode(shader));
+    return module;
+}
+
+VkShaderModule PipelineLibrary::makeModule(const std::string& shader, std::span<const uint32_t> words) {
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = code.size_bytes();
-    info.pCode = code.data();
+    info.codeSize = words.size_bytes();
+    info.pCode = words.data();
+    VkShaderModule module = VK_NULL_HANDLE;
     check(vkCreateShaderModule(device_.handle(), &info, nullptr, &module), "loading " + shader);
     return module;
+}
+
+void PipelineLibrary::replaceShader(const std::string& shader, const std::vector<uint32_t>& words) {
+    const VkShaderModule module = makeModule(shader, words);
+    const std::lock_guard lock(mutex_);
+    VkShaderModule& current = modules_[shader];
+    if (current != VK_NULL_HANDLE) vkDestroyShaderModule(device_.handle(), current, nullptr);
+    current = module;
+    const auto forget = [&](auto& pipelines, const auto& uses) {
+        std::erase_if(pipelines, [&](const auto& entry) {
+            if (!uses(entry.first)) return false;
+            vkDestroyPipeline(device_.handle(), entry.second.handle, nullptr);
+            return true;
+        });
+    };
+    forget(compute_, [&](const ComputeKey& key) { return key.shader == shader; });
+    forget(graphics_,
+           [&](const GraphicsKey& key) { return key.vertexShader == shader || key.fragmentShader == shader; });
 }
 
 }  // namespace manylight::gpu

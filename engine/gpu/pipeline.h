@@ -6,6 +6,7 @@
 #include <compare>
 #include <map>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct GraphicsKey {
     bool depthWrite = false;
     VkCompareOp depthCompare = VK_COMPARE_OP_LESS;
     bool additiveBlend = false;
+    bool overBlend = false;  // by the fragment's alpha, over what is there; goes before additiveBlend
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool triangleRecords = false;  // location 0 is the position of a triangle record's corner, 16 bytes apart
     auto operator<=>(const GraphicsKey&) const = default;
@@ -65,6 +67,9 @@ class PipelineLibrary {
     Pipeline graphics(const GraphicsKey& key);
     bool has(const ComputeKey& key);
     bool has(const GraphicsKey& key);
+    /// Pipelines made from now on use `words` as this entry point, instead of what was compiled in. The device must be
+    /// idle. If the driver refuses it, the Error comes before anything has changed.
+    void replaceShader(const std::string& shader, const std::vector<uint32_t>& words);
     size_t size() const { return compute_.size() + graphics_.size(); }
 
   private:
@@ -72,6 +77,7 @@ class PipelineLibrary {
     Pipeline makeGraphics(const GraphicsKey& key);
     VkPipelineLayout layoutFor(const std::vector<BindingLayout>& bindings);
     VkShaderModule moduleFor(const std::string& shader);
+    VkShaderModule makeModule(const std::string& shader, std::span<const uint32_t> words);
 
     struct Layout {
         VkDescriptorSetLayout set = VK_NULL_HANDLE;

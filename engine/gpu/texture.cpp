@@ -45,20 +45,31 @@ Texture::Texture(Device& device, const std::string& name, const TextureInfo& inf
     check(vkBindImageMemory(device.handle(), handle_, allocation_.memory, allocation_.offset), "binding " + name);
     device.setName(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle_), name);
 
+    makeView(name);
+}
+
+Texture::Texture(Device& device, const std::string& name, const TextureInfo& info, VkImage borrowed)
+    : device_(&device), info_(info), handle_(borrowed), isBorrowed_(true) {
+    device.setName(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(handle_), name);
+    makeView(name);
+}
+
+void Texture::makeView(const std::string& name) {
     constexpr VkImageUsageFlags kTransferOnly = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    if ((info.usage & ~kTransferOnly) == 0) return;
+    if ((info_.usage & ~kTransferOnly) == 0) return;
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view.image = handle_;
     view.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    view.format = info.format;
+    view.format = info_.format;
     view.subresourceRange = {aspect(), 0, 1, 0, 1};
-    check(vkCreateImageView(device.handle(), &view, nullptr, &view_), "creating a view of " + name);
+    check(vkCreateImageView(device_->handle(), &view, nullptr, &view_), "creating a view of " + name);
 }
 
 Texture::~Texture() {
     if (handle_ == VK_NULL_HANDLE) return;
     if (view_ != VK_NULL_HANDLE) vkDestroyImageView(device_->handle(), view_, nullptr);
+    if (isBorrowed_) return;
     vkDestroyImage(device_->handle(), handle_, nullptr);
     device_->allocator().free(allocation_);
 }
@@ -73,6 +84,7 @@ void Texture::swap(Texture& other) noexcept {
     std::swap(handle_, other.handle_);
     std::swap(view_, other.view_);
     std::swap(allocation_, other.allocation_);
+    std::swap(isBorrowed_, other.isBorrowed_);
 }
 
 }  // namespace manylight::gpu

@@ -23,6 +23,8 @@ class Texture {
   public:
     Texture() = default;
     Texture(Device& device, const std::string& name, const TextureInfo& info);
+    /// A view of somebody else's image (a swapchain's), which has to outlive it.
+    Texture(Device& device, const std::string& name, const TextureInfo& info, VkImage borrowed);
     ~Texture();
     Texture(Texture&& other) noexcept { swap(other); }
     Texture& operator=(Texture&& other) noexcept {
@@ -37,6 +39,7 @@ class Texture {
     bool exists() const { return handle_ != VK_NULL_HANDLE; }
 
   private:
+    void makeView(const std::string& name);
     void swap(Texture& other) noexcept;
 
     Device* device_ = nullptr;
@@ -44,6 +47,7 @@ class Texture {
     VkImage handle_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
     Allocation allocation_;
+    bool isBorrowed_ = false;
 };
 
 }  // namespace manylight::gpu

@@ -48,6 +48,8 @@ void runInParallel(const std::vector<std::function<void()>>& tasks) {
     if (failure) std::rethrow_exception(failure);
 }
 
+constexpr uint32_t kMostIdleFrames = 64;
+
 bool hasAttachments(const Pass& pass) {
     return std::any_of(pass.uses.begin(), pass.uses.end(),
                        [](const PassUse& use) { return isAttachment(accessInfo(use.access)); });
@@ -79,6 +81,12 @@ GraphExecutor::~GraphExecutor() {
 }
 
 Execution GraphExecutor::execute(const FrameGraph& graph) {
+    submit(graph);
+    return finish();
+}
+
+void GraphExecutor::submit(const FrameGraph& graph, VkSemaphore waitFor, VkSemaphore signal) {
+    MANYLIGHT_CHECK(!isRunning_, "submit() while a frame of this executor runs");
     // 1. Compile. One frame runs at a time, so a slot's past is over when the next frame starts.
     const CompiledGraph compiled = graph.compile([](const PhysicalSlot&) { return ResourceState{}; });
     const std::vector<void*> physical = placeResources(graph, compiled);
@@ -92,6 +100,7 @@ Execution GraphExecutor::execute(const FrameGraph& graph) {
     gpu::check(vkBeginCommandBuffer(commands_, &begin), "recording a frame");
     timers_.reset(static_cast<uint32_t>(compiled.passes.size()));
     breadcrumbs_.reset(static_cast<uint32_t>(compiled.passes.size()));
+    submitted_.clear();
     for (uint32_t i = 0; i < compiled.passes.size(); ++i) {
         breadcrumbs_.drop(commands_, i);
         timers_.begin(commands_, i);
@@ -99,27 +108,27 @@ Execution GraphExecutor::execute(const FrameGraph& graph) {
         timers_.end(commands_, i);
         const Pass& pass = graph.passes()[compiled.passes[i].pass];
         if (isDumped(pass)) recordDump(graph, pass, physical);
+        submitted_.push_back(pass.name);
     }
     gpu::check(vkEndCommandBuffer(commands_), "recording a frame");
 
-    // 3. Run.
-    Execution execution;
-    execution.wallMilliseconds = submitAndWait([&] {
-        const uint32_t started = breadcrumbs_.startedCount();
-        return started == 0
-                   ? std::string("before its first pass")
-                   : fmt::format("in pass {} ({} of {})", graph.passes()[compiled.passes[started - 1].pass].name,
-                                 started, compiled.passes.size());
-    });
+    // 3. Run. Frames follow each other on one queue: what this one leaves is the next one's start.
+    submitCommands(waitFor, signal);
     storeStates(graph, compiled, physical);
+}
 
-    // 4. Report.
+Execution GraphExecutor::finish() {
+    if (!isRunning_) return {};
+    wait();
+    Execution execution;
+    execution.wallMilliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
     const std::vector<GpuTimers::Interval> intervals = timers_.read();
     for (size_t i = 0; i < intervals.size(); ++i)
-        execution.passTimes.push_back(
-            {graph.passes()[compiled.passes[i].pass].name, intervals[i].end - intervals[i].begin});
+        execution.passTimes.push_back({submitted_[i], intervals[i].end - intervals[i].begin});
     if (!intervals.empty()) execution.gpuMilliseconds = intervals.back().end;
     execution.dumped = collectDumps();
+    dropUnused();
     return execution;
 }
 
@@ -155,7 +164,7 @@ void* GraphExecutor::placeSlot(const PhysicalSlot& slot, const std::string& name
         }
         auto made = std::make_unique<PhysicalImage>();
         made->texture = gpu::Texture(device_, name, {slot.image.format, slot.image.width, slot.image.height, usage});
-        images_.push_back({std::move(made), true});
+        images_.push_back({std::move(made), true, 0});
         return images_.back().physical.get();
     }
     for (auto& buffer : buffers_) {
@@ -169,7 +178,7 @@ void* GraphExecutor::placeSlot(const PhysicalSlot& slot, const std::string& name
     auto made = std::make_unique<PhysicalBuffer>();
     made->buffer = gpu::Buffer(device_, name,
                                {slot.buffer.size, slot.bufferUsage, gpu::MemoryKind::Device, slot.buffer.texelFormat});
-    buffers_.push_back({std::move(made), true});
+    buffers_.push_back({std::move(made), true, 0});
     return buffers_.back().physical.get();
 }
 
@@ -275,20 +284,49 @@ bool GraphExecutor::isDumped(const Pass& pass) const {
     return dumpAfter_ == kAllPasses || (!dumpAfter_.empty() && pass.name.starts_with(dumpAfter_));
 }
 
-double GraphExecutor::submitAndWait(const std::function<std::string()>& whatRan) {
-    const auto start = std::chrono::steady_clock::now();
+void GraphExecutor::submitCommands(VkSemaphore waitFor, VkSemaphore signal) {
+    start_ = std::chrono::steady_clock::now();
     VkCommandBufferSubmitInfo commands{};
     commands.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
     commands.commandBuffer = commands_;
+    VkSemaphoreSubmitInfo before{};
+    before.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+    before.semaphore = waitFor;
+    before.stageMask = everythingBefore().stages;
+    VkSemaphoreSubmitInfo after = before;
+    after.semaphore = signal;
     VkSubmitInfo2 submit{};
     submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+    submit.waitSemaphoreInfoCount = waitFor != VK_NULL_HANDLE ? 1 : 0;
+    submit.pWaitSemaphoreInfos = &before;
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &commands;
+    submit.signalSemaphoreInfoCount = signal != VK_NULL_HANDLE ? 1 : 0;
+    submit.pSignalSemaphoreInfos = &after;
     gpu::check(vkQueueSubmit2(device_.queue(), 1, &submit, fence_), "submitting a frame");
-    if (const VkResult result = vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX); result < VK_SUCCESS)
-        gpu::check(result, fmt::format("running a frame, {}", whatRan()));
+    isRunning_ = true;
+}
+
+void GraphExecutor::wait() {
+    isRunning_ = false;
+    const VkResult result = vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX);
+    if (result < VK_SUCCESS) {
+        const uint32_t started = breadcrumbs_.startedCount();
+        gpu::check(result, started == 0 ? std::string("running a frame, before its first pass")
+                                        : fmt::format("running a frame, in pass {} ({} of {})", submitted_[started - 1],
+                                                      started, submitted_.size()));
+    }
     gpu::check(vkResetFences(device_.handle(), 1, &fence_), "running a frame");
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Pictures that change their size leave resources that nothing takes any more.
+void GraphExecutor::dropUnused() {
+    const auto drop = [](auto& pool) {
+        for (auto& pooled : pool) pooled.idleFrames = pooled.isTaken ? 0 : pooled.idleFrames + 1;
+        std::erase_if(pool, [](const auto& pooled) { return pooled.idleFrames > kMostIdleFrames; });
+    };
+    drop(images_);
+    drop(buffers_);
 }
 
 uint64_t GraphExecutor::transientBytes() const {

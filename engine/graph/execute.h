@@ -6,7 +6,7 @@
 #include "engine/graph/gpu_timers.h"
 #include "engine/graph/pass_context.h"
 
-#include <functional>
+#include <chrono>
 #include <memory>
 
 namespace manylight {
@@ -44,6 +44,12 @@ class GraphExecutor {
     /// that ran last if the device is lost.
     Execution execute(const FrameGraph& graph);
 
+    /// execute() in two halves, for frames in flight: one executor each. What the graph imports must live until
+    /// finish(). Semaphores may be null.
+    void submit(const FrameGraph& graph, VkSemaphore waitFor = VK_NULL_HANDLE, VkSemaphore signal = VK_NULL_HANDLE);
+    /// Waits for what was submitted; nothing to wait for gives an empty Execution.
+    Execution finish();
+
     /// The images written by every pass whose name starts with `pass` will be in Execution::dumped. Empty: none;
     /// kAllPasses: those of all passes.
     void dumpAfter(std::string pass) { dumpAfter_ = std::move(pass); }
@@ -58,7 +64,9 @@ class GraphExecutor {
     void recordPass(const FrameGraph& graph, const LivePass& live, const std::vector<void*>& physical);
     void recordDump(const FrameGraph& graph, const Pass& pass, const std::vector<void*>& physical);
     void storeStates(const FrameGraph& graph, const CompiledGraph& compiled, const std::vector<void*>& physical);
-    double submitAndWait(const std::function<std::string()>& whatRan);
+    void submitCommands(VkSemaphore waitFor, VkSemaphore signal);
+    void wait();
+    void dropUnused();
     bool isDumped(const Pass& pass) const;
     std::vector<DumpedImage> collectDumps();
 
@@ -67,6 +75,7 @@ class GraphExecutor {
     struct Pooled {
         std::unique_ptr<Physical> physical;
         bool isTaken = false;
+        uint32_t idleFrames = 0;
     };
     struct PendingDump {
         DumpedImage image;
@@ -84,6 +93,9 @@ class GraphExecutor {
     std::vector<Pooled<PhysicalBuffer>> buffers_;
     std::string dumpAfter_;
     std::vector<PendingDump> pendingDumps_;
+    std::vector<std::string> submitted_;  // names of the passes of the frame that runs
+    bool isRunning_ = false;
+    std::chrono::steady_clock::time_point start_;
 };
 
 }  // namespace manylight

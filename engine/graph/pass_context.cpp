@@ -43,7 +43,7 @@ gpu::GraphicsKey PassContext::keyOf(const DrawKernel& kernel) const {
     for (const PassUse& use : pass_.uses) {
         const VkFormat format = graph_.resources()[use.resource].image.format;
         if (use.access == Access::ColorWrite || use.access == Access::ColorBlend) key.colorFormats.push_back(format);
-        if (use.access == Access::ColorBlend) key.additiveBlend = true;
+        if (use.access == Access::ColorBlend) (kernel.overBlend ? key.overBlend : key.additiveBlend) = true;
         if (use.access == Access::DepthWrite || use.access == Access::DepthRead) key.depthFormat = format;
         if (use.access == Access::DepthWrite) key.depthWrite = true;
         if (isVertexBuffer(use)) key.triangleRecords = true;

@@ -25,6 +25,7 @@ struct DrawKernel {
     const char* fragmentShader = "";  // empty: depth only
     gpu::Specialisation specialisation = {};
     VkCompareOp depthCompare = VK_COMPARE_OP_LESS;
+    bool overBlend = false;  // ColorBlend puts fragments over what is there, by their alpha, instead of adding them
 };
 
 /// Pipelines that a frame will need, collected before recording so that they can be compiled side by side.

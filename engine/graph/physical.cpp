@@ -1,5 +1,6 @@
 #include "engine/graph/physical.h"
 
+#include "engine/core/check.h"
 #include "engine/gpu/transfer.h"
 #include "engine/graph/record_barriers.h"
 
@@ -39,6 +40,24 @@ std::vector<std::byte> readPhysical(gpu::Device& device, PhysicalImage& image) {
     std::vector<std::byte> bytes(size);
     std::memcpy(bytes.data(), target.buffer.mapped(), size);
     return bytes;
+}
+
+void writePhysical(gpu::Device& device, PhysicalImage& image, std::span<const std::byte> bytes) {
+    const gpu::TextureInfo& info = image.texture.info();
+    MANYLIGHT_CHECK(bytes.size() == size_t{info.width} * info.height * gpu::texelBytes(info.format), "writePhysical()");
+    const gpu::Buffer source(device, "upload",
+                             {bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryKind::Upload});
+    std::memcpy(source.mapped(), bytes.data(), bytes.size());
+    gpu::submitAndWait(device, "uploading an image", [&](VkCommandBuffer commands) {
+        BarrierRecorder before;
+        before.add(image.texture, advance(image.state, Access::TransferWrite, ResourceKind::Image));
+        before.record(commands);
+        VkBufferImageCopy region{};
+        region.imageSubresource = {image.texture.aspect(), 0, 0, 1};
+        region.imageExtent = {info.width, info.height, 1};
+        vkCmdCopyBufferToImage(commands, source.handle(), image.texture.handle(),
+                               accessInfo(Access::TransferWrite).imageLayout, 1, &region);
+    });
 }
 
 }  // namespace manylight

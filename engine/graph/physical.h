@@ -5,6 +5,8 @@
 #include "engine/gpu/texture.h"
 #include "engine/graph/frame_graph.h"
 
+#include <span>
+
 namespace manylight {
 
 struct PhysicalImage {
@@ -23,5 +25,7 @@ BufferHandle importPhysical(FrameGraph& graph, const std::string& name, Physical
 
 /// The image of a resource as bytes, tightly packed rows. The image needs TRANSFER_SRC usage and defined content.
 std::vector<std::byte> readPhysical(gpu::Device& device, PhysicalImage& image);
+/// Replaces the image's content by bytes in the same order. The image needs TRANSFER_DST usage.
+void writePhysical(gpu::Device& device, PhysicalImage& image, std::span<const std::byte> bytes);
 
 }  // namespace manylight

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <unordered_map>
 
 namespace manylight {
 namespace {
@@ -144,6 +145,27 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
                           gpuScene.emitters.buffer.size() + gpuScene.emitterChoices.buffer.size() +
                           gpuScene.environmentTexels.buffer.size() + gpuScene.environmentCells.buffer.size();
     return gpuScene;
+}
+
+void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene) {
+    std::vector<uint32_t> placeOf(gpuScene.triangleOrder.size());
+    for (uint32_t place = 0; place < placeOf.size(); ++place) placeOf[gpuScene.triangleOrder[place]] = place;
+    std::unordered_map<uint32_t, const shared::Emitter*> emitterAt;
+    for (const shared::Emitter& emitter : gpuScene.emitterTable.emitters)
+        if (emitter.kind == shared::kEmitterTriangle) emitterAt[emitter.triangle] = &emitter;
+
+    EmitterTable table = buildEmitterTable(scene, gpuScene.sphere.radius);
+    for (shared::Emitter& emitter : table.emitters) {
+        if (emitter.kind != shared::kEmitterTriangle) continue;
+        emitter.triangle = placeOf[emitter.triangle];
+        emitter.emissionTexture = emitterAt.at(emitter.triangle)->emissionTexture;
+    }
+    gpuScene.totalBytes -= gpuScene.emitters.buffer.size();
+    gpuScene.emitterTable = std::move(table);
+    SceneUploader uploader(device);
+    gpuScene.emitters = uploader.upload("emitters", gpuScene.emitterTable.emitters, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    uploader.finish();
+    gpuScene.totalBytes += gpuScene.emitters.buffer.size();
 }
 
 Json GpuScene::report() const {

@@ -42,6 +42,9 @@ struct GpuScene {
 /// Uploads through staging and waits. Throws Error if the device cannot hold the scene.
 GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh);
 
+/// After a change of the scene's lights; its surfaces are those that were uploaded. The device must be idle.
+void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene);
+
 /// The scene's buffers in one frame's graph.
 struct SceneHandles {
     BufferHandle frame;

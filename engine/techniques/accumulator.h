@@ -19,6 +19,8 @@ class Accumulator {
     /// Declares that `radiance` is added after `frameCount` frames. Returns the sum.
     ImageHandle add(FrameGraph& graph, const SceneHandles& scene, ImageHandle radiance, uint32_t frameCount);
 
+    /// The sum so far, to be read.
+    ImageHandle sum(FrameGraph& graph) { return importPhysical(graph, name_ + " sum", sum_); }
     /// RGB; `frameCount` frames, at least 1.
     Image mean(gpu::Device& device, uint32_t frameCount);
     /// Variance of mean(), RGB, if frames are independent; at least 2 frames.

@@ -85,8 +85,11 @@ uint32_t toneCurveOf(ToneCurve curve) {
     return shared::kToneAces;
 }
 
-TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, bool showsChannel) {
-    if (showsChannel) return declareInstantRadiosity(graph, scene, inputs);
+/// A channel of the G-buffer instead of light.
+bool showsChannel(Show show) { return show != Show::Picture && show != Show::Vpls && show != Show::CutOff; }
+
+TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs) {
+    if (showsChannel(inputs.settings.show)) return declareInstantRadiosity(graph, scene, inputs);
     switch (inputs.settings.technique) {
         case Technique::Forward:
         case Technique::ForwardPrepass:
@@ -125,6 +128,7 @@ void Renderer::restart(const RenderSettings& settings) {
     if (settings.materials != settings_.materials)
         failUsage("--materials {}: expected the same for all pictures of one run", name(settings.materials));
     const glm::uvec2 before{settings_.width, settings_.height};
+    if (settings.camera != settings_.camera) isCameraGiven_ = false;
     resolve(settings);
     if (before != glm::uvec2{settings_.width, settings_.height}) {
         makeTargets();
@@ -133,17 +137,43 @@ void Renderer::restart(const RenderSettings& settings) {
     frameCount_ = 0;
 }
 
+void Renderer::lookThrough(const Camera& camera) {
+    camera_ = camera;
+    isCameraGiven_ = true;
+    frameCount_ = 0;
+}
+
+void Renderer::relight(const Scene& scene) {
+    if (reducedScene_) reducedScene_->lights = scene.lights;
+    MANYLIGHT_CHECK(scene_.triangles.size() == scene.triangles.size(), "relight() with another scene");
+    plan_ = planScene(scene_, !settings_.plan);
+    replaceEmitters(device_, gpuScene_, scene_);
+    frameCount_ = 0;
+}
+
+void Renderer::setDisplay(float exposure, ToneCurve curve) {
+    const bool isNew = exposure != settings_.exposure || curve != settings_.toneCurve;
+    settings_.exposure = exposure;
+    settings_.toneCurve = curve;
+    if (!isNew || frameCount_ == 0) return;
+    FrameGraph graph;
+    const SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
+    graph.keep(declareDisplay(graph, scene, radiance_.sum(graph), frameCount_));
+    executor_.execute(graph);
+}
+
 void Renderer::resolve(const RenderSettings& settings) {
     MANYLIGHT_CHECK(!scene_.cameras.empty(), "scene {}", scene_.path.string());
     settings_ = settings;
     if (settings.camera >= scene_.cameras.size())
         failUsage("--camera {}: the scene has {} camera(s), counted from 0", settings.camera, scene_.cameras.size());
+    if (!isCameraGiven_) camera_ = scene_.cameras[settings.camera];
     if (settings.width == 0 || settings.height == 0) {
-        const glm::uvec2 size = scene_.cameras[settings.camera].resolution.value_or(glm::uvec2{512, 384});
+        const glm::uvec2 size = camera_.resolution.value_or(glm::uvec2{512, 384});
         settings_.width = size.x;
         settings_.height = size.y;
     }
-    if (keepsCutOff_ && settings.technique != Technique::Deferred)
+    if ((keepsCutOff_ || settings.show == Show::CutOff) && settings.technique != Technique::Deferred)
         failUsage("what the bound cuts off is known to --technique deferred only");
     const uint32_t limit = device_.limits().maxImageDimension2D;
     if (settings_.width > limit || settings_.height > limit)
@@ -197,7 +227,8 @@ void Renderer::measureLitArea() {
         PhysicalBuffer copy = makeVplCopy(device_, kPilotVpls);
         copyVplsToHost(graph, lights.vpls.list, copy);
         executor_.execute(graph);
-        litArea_ = manylight::litArea(std::span(static_cast<const shared::LightData*>(copy.buffer.mapped()), kPilotVpls));
+        litArea_ =
+            manylight::litArea(std::span(static_cast<const shared::LightData*>(copy.buffer.mapped()), kPilotVpls));
     }
     if (!litArea_) litArea_ = gpuScene_.surfaceArea;
     settings_ = settings;
@@ -216,7 +247,7 @@ void Renderer::makeTargets() {
 }
 
 void Renderer::writeFrameConstants() {
-    const Camera& camera = scene_.cameras[settings_.camera];
+    const Camera& camera = camera_;
     const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
     const ViewAxes view = viewAxes(camera.origin, camera.forward, camera.up, camera.verticalFov, aspect);
     const uint32_t seed =
@@ -260,9 +291,15 @@ void Renderer::writeFrameConstants() {
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
 }
 
+ImageHandle Renderer::declareDisplay(FrameGraph& graph, const SceneHandles& scene, ImageHandle sum,
+                                     uint32_t frameCount) {
+    const float scale = std::exp2(settings_.exposure) / static_cast<float>(frameCount);
+    const ToneCurve curve = showsChannel(settings_.show) ? ToneCurve::Linear : settings_.toneCurve;
+    return addTonemap(graph, scene, sum, importPhysical(graph, "display", display_), scale, toneCurveOf(curve),
+                      settings_.width, settings_.height);
+}
+
 FrameGraph Renderer::declareFrame() {
-    const uint32_t width = settings_.width;
-    const uint32_t height = settings_.height;
     FrameGraph graph;
     SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
     addStatusReset(graph, scene);
@@ -274,12 +311,12 @@ FrameGraph Renderer::declareFrame() {
                              .subgroupSize = device_.subgroupSize(),
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
-                             .keepsCutOff = keepsCutOff_ || plan_.cutOff};
-    const bool showsChannel = settings_.show != Show::Picture && settings_.show != Show::Vpls;
-    TechniqueResult result = declareTechnique(graph, scene, inputs, showsChannel);
+                             .keepsCutOff = keepsCutOff_ || plan_.cutOff || settings_.show == Show::CutOff};
+    TechniqueResult result = declareTechnique(graph, scene, inputs);
     if (settings_.show == Show::Vpls && result.vpls && result.depth)
         result.radiance = addShowVpls(graph, scene, *result.vpls, settings_.vplCount, result.radiance, *result.depth,
                                       settings_.vplDotRadius, 1.0f);
+    if (settings_.show == Show::CutOff) result.radiance = *result.cutOff;
     if (keepsVpls_ && result.vpls) {
         if (vplCopy_.buffer.size() != paddedVplCount(settings_.vplCount) * sizeof(shared::LightData))
             vplCopy_ = makeVplCopy(device_, settings_.vplCount);
@@ -287,11 +324,8 @@ FrameGraph Renderer::declareFrame() {
     }
 
     const ImageHandle sum = radiance_.add(graph, scene, result.radiance, frameCount_);
-    if (result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
-    const float scale = std::exp2(settings_.exposure) / static_cast<float>(frameCount_ + 1);
-    const ToneCurve curve = showsChannel ? ToneCurve::Linear : settings_.toneCurve;
-    const ImageHandle display = addTonemap(graph, scene, sum, importPhysical(graph, "display", display_), scale,
-                                           toneCurveOf(curve), width, height);
+    if (cutOff_.exists() && result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
+    const ImageHandle display = declareDisplay(graph, scene, sum, frameCount_ + 1);
     graph.keep(display);
     addStatusReadback(graph, scene);
     return graph;

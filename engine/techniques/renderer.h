@@ -32,10 +32,19 @@ class Renderer {
     /// Forgets the frames so far. Resolves as the constructor does; `materials` and `plan` stay what they were there.
     void restart(const RenderSettings& settings);
 
+    /// Forgets the frames so far and looks from `camera`, until restart() is given another index than before.
+    void lookThrough(const Camera& camera);
+    /// Forgets the frames so far. `scene` is the constructor's with other lights, its surfaces unchanged.
+    void relight(const Scene& scene);
+    /// Keeps the frames so far, and shows them accordingly if there are any.
+    void setDisplay(float exposure, ToneCurve curve);
+
     /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
     Image radiance();
     /// The picture as displayed: exposure, tone curve; RGB bytes as sRGB-encoded values / 255, row 0 at the top.
     std::vector<uint8_t> displayRgba();
+    /// The same on the device, RGBA8_UNORM, for who presents it: valid until the next restart().
+    PhysicalImage& display() { return display_; }
     /// From the next frame on, keeps a copy of the VPL list that vpls() reads.
     void keepVpls() { keepsVpls_ = true; }
     /// Restarts with, or without, a record of how far frames scatter: see varianceOfMean().
@@ -55,6 +64,7 @@ class Renderer {
     std::vector<shared::LightData> vpls() const;
 
     const RenderSettings& settings() const { return settings_; }
+    const Camera& camera() const { return camera_; }
     const ScenePlan& plan() const { return plan_; }
     const GpuScene& gpuScene() const { return gpuScene_; }
     const Warnings& warnings() const { return warnings_; }
@@ -80,6 +90,7 @@ class Renderer {
     void makeTargets();
     void writeFrameConstants();
     FrameGraph declareFrame();
+    ImageHandle declareDisplay(FrameGraph& graph, const SceneHandles& scene, ImageHandle sum, uint32_t frameCount);
     void refuseNonFinite(const Execution& execution) const;
     void tuneGather(const Execution& execution);
 
@@ -87,6 +98,8 @@ class Renderer {
     std::optional<Scene> reducedScene_;  // with --materials diffuse
     const Scene& scene_;
     RenderSettings settings_;
+    Camera camera_;  // that of the settings, or another that was given
+    bool isCameraGiven_ = false;
     ScenePlan plan_;
     StartupTimes startupTimes_;
     GpuScene gpuScene_;

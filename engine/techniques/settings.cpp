@@ -5,11 +5,13 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 namespace manylight {
@@ -32,10 +34,10 @@ constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<Cla
 constexpr std::array kMaterials = {Name<Materials>{Materials::Full, "full"},
                                    Name<Materials>{Materials::Diffuse, "diffuse"}};
 constexpr std::array kSequences = {Name<bool>{true, "continued"}, Name<bool>{false, "independent"}};
-constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},  Name<Show>{Show::Vpls, "vpls"},
-                               Name<Show>{Show::Normal, "normal"},    Name<Show>{Show::Albedo, "albedo"},
-                               Name<Show>{Show::Depth, "depth"},      Name<Show>{Show::Position, "position"},
-                               Name<Show>{Show::Material, "material"}};
+constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},
+                               Name<Show>{Show::Normal, "normal"},     Name<Show>{Show::Albedo, "albedo"},
+                               Name<Show>{Show::Depth, "depth"},       Name<Show>{Show::Position, "position"},
+                               Name<Show>{Show::Material, "material"}, Name<Show>{Show::CutOff, "cut-off"}};
 constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
                                 Name<ToneCurve>{ToneCurve::Reinhard, "reinhard"},
                                 Name<ToneCurve>{ToneCurve::Aces, "aces"}};
@@ -92,61 +94,93 @@ constexpr uint32_t kMaxVpls = 1u << 21;  // 128 MiB of LightData, a storage buff
 struct Setting {
     SettingHelp help;
     std::function<void(RenderSettings&, const std::string& option, const std::string& value)> apply;
+    std::function<Json(const RenderSettings&)> read;
 };
 
 const std::vector<Setting>& settingTable() {
     using S = RenderSettings;
     using T = const std::string&;
+    using C = const RenderSettings&;
     static const std::vector<Setting> table = {
         {{"technique", "deferred|forward|forward-prepass|path-tracer", "how pixels are shaded"},
-         [](S& s, T o, T v) { s.technique = parseName(kTechniques, o, v); }},
+         [](S& s, T o, T v) { s.technique = parseName(kTechniques, o, v); },
+         [](C s) -> Json { return name(s.technique); }},
         {{"lighting", "local|global|both", "direct light, light from the VPLs, or both"},
-         [](S& s, T o, T v) { s.lighting = parseName(kLightings, o, v); }},
-        {{"vpls", "N", "virtual point lights shaded in every frame"},
-         [](S& s, T o, T v) { s.vplCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); }},
-        {{"paths", "N", "light paths per frame (0: four for each VPL, and 256 at least)"},
-         [](S& s, T o, T v) { s.pathCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); }},
-        {{"bounces", "N", "surfaces a light path may meet (-1: unlimited)"},
-         [](S& s, T o, T v) { s.bounceCount = parseInteger<int>(o, v, -1, kMaxBounces); }},
+         [](S& s, T o, T v) { s.lighting = parseName(kLightings, o, v); },
+         [](C s) -> Json { return name(s.lighting); }},
+        {{"vpls", "N", "virtual point lights shaded in every frame", 0, 5000},
+         [](S& s, T o, T v) { s.vplCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); },
+         [](C s) -> Json { return s.vplCount; }},
+        {{"paths", "N", "light paths per frame (0: four for each VPL, and 256 at least)", 0, 20000},
+         [](S& s, T o, T v) { s.pathCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); },
+         [](C s) -> Json { return s.pathCount; }},
+        {{"bounces", "N", "surfaces a light path may meet (-1: unlimited)", -1, 16},
+         [](S& s, T o, T v) { s.bounceCount = parseInteger<int>(o, v, -1, kMaxBounces); },
+         [](C s) { return s.bounceCount ? Json(*s.bounceCount) : Json(); }},
         {{"russian-roulette", "on|off", "end light paths by the albedo"},
-         [](S& s, T o, T v) { s.russianRoulette = parseSwitch(o, v); }},
+         [](S& s, T o, T v) { s.russianRoulette = parseSwitch(o, v); },
+         [](C s) -> Json { return s.russianRoulette; }},
         {{"shadows", "on|off", "shadow rays, also for VPLs"},
-         [](S& s, T o, T v) { s.castShadows = parseSwitch(o, v); }},
-        {{"shadow-rays", "N", "rays of a pixel for VPLs, drawn by what they would give (0: one for every VPL); deferred"},
-         [](S& s, T o, T v) { s.shadowRays = parseInteger<uint32_t>(o, v, 0, shared::kMostShadowRays); }},
-        {{"interleave", "N", "pixels gather from one VPL in N * N, neighbours from others; deferred"},
-         [](S& s, T o, T v) { s.interleave = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); }},
+         [](S& s, T o, T v) { s.castShadows = parseSwitch(o, v); },
+         [](C s) -> Json { return s.castShadows; }},
+        {{"shadow-rays", "N",
+          "rays of a pixel for VPLs, drawn by what they would give (0: one for every VPL); deferred", 0,
+          shared::kMostShadowRays},
+         [](S& s, T o, T v) { s.shadowRays = parseInteger<uint32_t>(o, v, 0, shared::kMostShadowRays); },
+         [](C s) -> Json { return s.shadowRays; }},
+        {{"interleave", "N", "pixels gather from one VPL in N * N, neighbours from others; deferred", 1,
+          shared::kMostInterleave},
+         [](S& s, T o, T v) { s.interleave = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
+         [](C s) -> Json { return s.interleave; }},
         {{"clamp", "off|bound|compensate",
           "leave the geometry term as it is, bound it, or also give back what that takes"},
-         [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); }},
-        {{"clamp-bound", "C", "the bound is C * paths^(2/3) / A, or C / A if compensated; A is the area that light reaches"},
-         [](S& s, T o, T v) { s.clampBound = parseNumber(o, v, 0.0f, 1e30f); }},
-        {{"light-samples", "N", "points on area lights and the environment per frame"},
-         [](S& s, T o, T v) { s.lightSampleCount = parseInteger<uint32_t>(o, v, 1, 65536); }},
+         [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); },
+         [](C s) -> Json { return name(s.clamp); }},
+        {{"clamp-bound", "C",
+          "the bound is C * paths^(2/3) / A, or C / A if compensated; A is the area that light reaches", 0.1, 1000},
+         [](S& s, T o, T v) { s.clampBound = parseNumber(o, v, 0.0f, 1e30f); },
+         [](C s) { return s.clampBound ? Json(*s.clampBound) : Json(); }},
+        {{"light-samples", "N", "points on area lights and the environment per frame", 1, 64},
+         [](S& s, T o, T v) { s.lightSampleCount = parseInteger<uint32_t>(o, v, 1, 65536); },
+         [](C s) -> Json { return s.lightSampleCount; }},
         {{"sequence", "continued|independent", "frames share low-discrepancy points, or each draws its own"},
-         [](S& s, T o, T v) { s.continuesSequences = parseName(kSequences, o, v); }},
-        {{"size", "WxH", "pixels"}, [](S& s, T o, T v) { parseSize(s, o, v); }},
-        {{"seed", "N", "the same seed gives the same bytes"},
-         [](S& s, T o, T v) { s.seed = parseInteger<uint32_t>(o, v, 0, std::numeric_limits<uint32_t>::max()); }},
+         [](S& s, T o, T v) { s.continuesSequences = parseName(kSequences, o, v); },
+         [](C s) -> Json { return nameIn(kSequences, s.continuesSequences); }},
+        {{"size", "WxH", "pixels"},
+         [](S& s, T o, T v) { parseSize(s, o, v); },
+         [](C s) -> Json { return fmt::format("{}x{}", s.width, s.height); }},
+        {{"seed", "N", "the same seed gives the same bytes", 0, 100},
+         [](S& s, T o, T v) { s.seed = parseInteger<uint32_t>(o, v, 0, std::numeric_limits<uint32_t>::max()); },
+         [](C s) -> Json { return s.seed; }},
         {{"camera", "N", "which of the scene's cameras"},
-         [](S& s, T o, T v) { s.camera = parseInteger<uint32_t>(o, v, 0, 1 << 20); }},
+         [](S& s, T o, T v) { s.camera = parseInteger<uint32_t>(o, v, 0, 1 << 20); },
+         [](C s) -> Json { return s.camera; }},
         {{"materials", "full|diffuse", "surfaces as the scene has them, or Lambertians of the same albedo"},
-         [](S& s, T o, T v) { s.materials = parseName(kMaterials, o, v); }},
-        {{"show", "picture|vpls|normal|albedo|depth|position|material",
-          "the picture, the VPLs in it, or a G-buffer channel"},
-         [](S& s, T o, T v) { s.show = parseName(kShows, o, v); }},
-        {{"exposure", "STOPS", "brighter by 2^STOPS in the PNG"},
-         [](S& s, T o, T v) { s.exposure = parseNumber(o, v, -64.0f, 64.0f); }},
+         [](S& s, T o, T v) { s.materials = parseName(kMaterials, o, v); },
+         [](C s) -> Json { return name(s.materials); }},
+        {{"show", "picture|vpls|normal|albedo|depth|position|material|cut-off",
+          "the picture, the VPLs in it, a G-buffer channel, or what the bound takes"},
+         [](S& s, T o, T v) { s.show = parseName(kShows, o, v); },
+         [](C s) -> Json { return name(s.show); }},
+        {{"exposure", "STOPS", "brighter by 2^STOPS in the PNG", -8, 8},
+         [](S& s, T o, T v) { s.exposure = parseNumber(o, v, -64.0f, 64.0f); },
+         [](C s) -> Json { return s.exposure; }},
         {{"tone-map", "linear|reinhard|aces", "tone curve of the PNG"},
-         [](S& s, T o, T v) { s.toneCurve = parseName(kCurves, o, v); }},
-        {{"vpl-dots", "PIXELS", "radius of the dots of --show vpls"},
-         [](S& s, T o, T v) { s.vplDotRadius = parseNumber(o, v, 0.5f, 100.0f); }},
+         [](S& s, T o, T v) { s.toneCurve = parseName(kCurves, o, v); },
+         [](C s) -> Json { return name(s.toneCurve); }},
+        {{"vpl-dots", "PIXELS", "radius of the dots of --show vpls", 0.5, 20},
+         [](S& s, T o, T v) { s.vplDotRadius = parseNumber(o, v, 0.5f, 100.0f); },
+         [](C s) -> Json { return s.vplDotRadius; }},
         {{"plan", "on|off", "leave out what the scene does not need"},
-         [](S& s, T o, T v) { s.plan = parseSwitch(o, v); }},
+         [](S& s, T o, T v) { s.plan = parseSwitch(o, v); },
+         [](C s) -> Json { return s.plan; }},
         {{"plan-keeps", "NAME", "one thing, as --explain names it, that is kept though the scene does not need it"},
-         [](S& s, T, T v) { s.planKeeps = v; }},
-        {{"check-finite", "on|off", "look for infinities and NaN in what every pass wrote, and end with an error; slow"},
-         [](S& s, T o, T v) { s.checkFinite = parseSwitch(o, v); }},
+         [](S& s, T, T v) { s.planKeeps = v; },
+         [](C s) -> Json { return s.planKeeps; }},
+        {{"check-finite", "on|off",
+          "look for infinities and NaN in what every pass wrote, and end with an error; slow"},
+         [](S& s, T o, T v) { s.checkFinite = parseSwitch(o, v); },
+         [](C s) -> Json { return s.checkFinite; }},
     };
     return table;
 }
@@ -169,6 +203,26 @@ const std::vector<SettingHelp>& settingHelps() {
     return helps;
 }
 
+bool SettingHelp::isSwitch() const { return std::string_view(values) == "on|off"; }
+
+std::vector<std::string> SettingHelp::choices() const {
+    std::vector<std::string> names;
+    const std::string_view text = values;
+    if (isSwitch() || text.find('|') == std::string_view::npos) return names;
+    for (size_t start = 0; start <= text.size();) {
+        const size_t end = std::min(text.find('|', start), text.size());
+        names.emplace_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    return names;
+}
+
+Json settingValue(const RenderSettings& settings, const std::string& option) {
+    for (const Setting& setting : settingTable())
+        if (option == setting.help.option) return setting.read(settings);
+    failUsage("--{}: no such setting", option);
+}
+
 void applySetting(RenderSettings& settings, const std::string& option, const std::string& value) {
     for (const Setting& setting : settingTable())
         if (option == setting.help.option) return setting.apply(settings, option, value);
@@ -177,6 +231,7 @@ void applySetting(RenderSettings& settings, const std::string& option, const std
 
 void applySettings(RenderSettings& settings, const Json& json, const std::string& place) {
     for (const auto& [key, value] : json.items()) {
+        if (value.is_null()) continue;
         try {
             applySetting(settings, key, value.is_string() ? value.get<std::string>() : value.dump());
         } catch (const Error& error) {
@@ -185,29 +240,10 @@ void applySettings(RenderSettings& settings, const Json& json, const std::string
     }
 }
 
-Json toJson(const RenderSettings& s) {
-    return {{"technique", name(s.technique)},
-            {"lighting", name(s.lighting)},
-            {"size", fmt::format("{}x{}", s.width, s.height)},
-            {"vpls", s.vplCount},
-            {"paths", s.pathCount},
-            {"bounces", s.bounceCount.value_or(-1)},
-            {"russian-roulette", s.russianRoulette},
-            {"shadows", s.castShadows},
-            {"shadow-rays", s.shadowRays},
-            {"interleave", s.interleave},
-            {"clamp", name(s.clamp)},
-            {"clamp-bound", s.clampBound ? Json(*s.clampBound) : Json()},
-            {"light-samples", s.lightSampleCount},
-            {"sequence", nameIn(kSequences, s.continuesSequences)},
-            {"seed", s.seed},
-            {"camera", s.camera},
-            {"materials", name(s.materials)},
-            {"show", name(s.show)},
-            {"exposure", s.exposure},
-            {"tone-map", name(s.toneCurve)},
-            {"plan", s.plan},
-            {"plan-keeps", s.planKeeps}};
+Json toJson(const RenderSettings& settings) {
+    Json json = Json::object();
+    for (const Setting& setting : settingTable()) json[setting.help.option] = setting.read(settings);
+    return json;
 }
 
 }  // namespace manylight

@@ -33,7 +33,7 @@ enum class Materials : uint8_t {
     Diffuse,  // every surface a Lambertian of its albedo, for comparison with what knows no others
 };
 
-enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material };
+enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material, CutOff };
 
 enum class ToneCurve : uint8_t { Linear, Reinhard, Aces };
 
@@ -65,6 +65,8 @@ struct RenderSettings {
     bool plan = true;                // leave out what the scene does not need
     std::string planKeeps;           // but for one thing, named as in the plan's decisions; for measuring what it costs
     bool checkFinite = false;        // look at what every pass wrote; slow
+
+    bool operator==(const RenderSettings&) const = default;
 };
 
 /// Names as the command line spells them, e.g. "forward-prepass".
@@ -77,15 +79,24 @@ const char* name(ToneCurve curve);
 /// Sets one setting by its option name without dashes ("vpls", "shadows"), from text. Throws Error (usage) naming the
 /// option, the value and what was expected.
 void applySetting(RenderSettings& settings, const std::string& option, const std::string& value);
-/// Options applySetting() knows, with a help text each.
+/// What a user is told of a setting: the one description that command lines, sidecars and panels are made from.
 struct SettingHelp {
     const char* option;
-    const char* values;
+    const char* values;  // "on|off", "a|b|c" for a choice, otherwise what to write: "N", "WxH"
     const char* help;
+    double sliderLow = 0.0;  // the range that people want; applySetting() takes more. Equal: no slider.
+    double sliderHigh = 0.0;
+
+    bool isSwitch() const;
+    /// The names to choose from; none for a switch or a number.
+    std::vector<std::string> choices() const;
 };
 const std::vector<SettingHelp>& settingHelps();
+/// The value that applySetting() would need to set it again; null where it follows from others.
+Json settingValue(const RenderSettings& settings, const std::string& option);
 
-/// Applies a sidecar's "settings" object: {"vpls": 200, "shadows": false}. `place` prefixes error messages.
+/// Applies a sidecar's "settings" object: {"vpls": 200, "shadows": false}; null changes nothing. `place` prefixes error
+/// messages.
 void applySettings(RenderSettings& settings, const Json& json, const std::string& place);
 
 /// All settings, for the run report and the EXR's attributes.

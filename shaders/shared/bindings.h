@@ -39,5 +39,11 @@ MANYLIGHT_CONSTANT(int, kBindingEmitterChoices, 30);    // storage texel buffer,
 MANYLIGHT_CONSTANT(int, kBindingEnvironmentTexels, 31); // storage texel buffer, RGBA32F: radiance, row by row
 MANYLIGHT_CONSTANT(int, kBindingEnvironmentCells, 32);  // storage texel buffer, RGBA32_UINT: EnvironmentCell
 
+MANYLIGHT_CONSTANT(int, kBindingOtherDisplay, 60);      // image RGBA8: what is shown beyond the divider
+MANYLIGHT_CONSTANT(int, kBindingCanvas, 61);            // image RGBA8: the whole window
+MANYLIGHT_CONSTANT(int, kBindingPanelVertices, 62);     // storage: PanelVertex
+MANYLIGHT_CONSTANT(int, kBindingPanelIndices, 63);      // storage: uint per corner of a triangle
+MANYLIGHT_CONSTANT(int, kBindingPanelAtlas, 64);        // storage: coverage of four texels per uint
+
 MANYLIGHT_SHARED_END
 #endif

@@ -9,6 +9,7 @@
 #include "shaders/shared/trace_rays.h"
 #include "shaders/shared/vpl_emission.h"
 #include "shaders/shared/vpl_light.h"
+#include "shaders/shared/window.h"
 #include "tests/unit/spirv_layout.h"
 
 #include <gtest/gtest.h>
@@ -117,6 +118,17 @@ const std::map<std::string, ExpectedStruct> kStructs = {
     {"TonemapPush", {{MEMBER(TonemapPush, scale), MEMBER(TonemapPush, curve)}, sizeof(shared::TonemapPush)}},
     {"ShowPush", {{MEMBER(ShowPush, channel), MEMBER(ShowPush, depthScale)}, sizeof(shared::ShowPush)}},
     {"ShowVplsPush", {{MEMBER(ShowVplsPush, radius), MEMBER(ShowVplsPush, brightness)}, sizeof(shared::ShowVplsPush)}},
+    {"WindowPicturePush",
+     {{MEMBER(WindowPicturePush, size), MEMBER(WindowPicturePush, otherSize), MEMBER(WindowPicturePush, canvas),
+       MEMBER(WindowPicturePush, divider)},
+      sizeof(shared::WindowPicturePush)}},
+    {"WindowPanelPush",
+     {{MEMBER(WindowPanelPush, clip), MEMBER(WindowPanelPush, origin), MEMBER(WindowPanelPush, scale),
+       MEMBER(WindowPanelPush, canvas), MEMBER(WindowPanelPush, atlas), MEMBER(WindowPanelPush, firstIndex)},
+      sizeof(shared::WindowPanelPush)}},
+    {"PanelVertex",
+     {{MEMBER(PanelVertex, position), MEMBER(PanelVertex, uv), MEMBER(PanelVertex, rgba)},
+      sizeof(shared::PanelVertex)}},
 };
 
 TEST(StructLayout, ShadersAndCppAgree) {

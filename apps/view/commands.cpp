@@ -1,0 +1,118 @@
+// What commands do.
+#include "apps/view/viewer.h"
+
+#include "apps/view_model/key_bindings.h"
+
+#include <algorithm>
+
+namespace manylight {
+namespace {
+
+const char* const kOtherPrefix = "other.";
+
+const SettingHelp* helpOf(const std::string& option) {
+    for (const auto* helps : {&viewSettingHelps(), &settingHelps()})
+        for (const SettingHelp& help : *helps)
+            if (option == help.option) return &help;
+    return nullptr;
+}
+
+uint32_t wholeNumber(const Command& command, size_t index, double low, double high) {
+    const double number = command.number(index);
+    if (!(number >= low && number <= high) || number != static_cast<double>(static_cast<int64_t>(number)))
+        fail("{}: {}: expected a whole number from {} to {}, found {}", command.place, command.name(), low, high,
+             command.words[index]);
+    return static_cast<uint32_t>(number);
+}
+
+}  // namespace
+
+void Viewer::perform(const Command& command) {
+    try {
+        performCommand(command);
+    } catch (const Error& error) {
+        tell(error.what(), true);
+    }
+}
+
+void Viewer::performCommand(const Command& command) {
+    const std::string& name = command.name();
+    const std::vector<std::string>& words = command.words;
+    if (name == "set") return set(words[1], words[2]);
+    if (name == "next") return chooseNext(words[1]);
+    if (name == "camera") return set("camera", words[1]);
+    if (name == "reset-view") return set("camera", std::to_string(main_.settings.camera));
+    if (name == "restart") {
+        main_.forget();
+        return other_.forget();
+    }
+    if (name == "watch") {
+        watchedAt_ = {};
+        return;
+    }
+    if (name == "wait-for") {
+        awaited_ = words[1];
+        return;
+    }
+    if (name == "quit") return window_.close();
+    if (name == "resize")
+        return window_.resize({wholeNumber(command, 1, 1, 1 << 14), wholeNumber(command, 2, 1, 1 << 14)});
+    if (name == "frames") {
+        holdFrames_ = wholeNumber(command, 1, 1, 1 << 24);
+        for (Side* side : {&main_, &other_})
+            if (side->frameCount() > holdFrames_) side->forget();
+        return;
+    }
+    if (performFileCommand(command) || performLightCommand(command)) return;
+
+    // What is left pretends input; the picture may go on.
+    holdFrames_ = 0;
+    const auto framesAt = [&](size_t index) {
+        return index < words.size() ? wholeNumber(command, index, 1, 1 << 20) : 1u;
+    };
+    if (name == "key") {
+        input_.pretendKey(words[1], framesAt(2));
+        waitFrames_ = framesAt(2);
+    } else if (name == "drag") {
+        if (words[1] != "left" && words[1] != "right") fail("{}: drag: expected left or right", command.place);
+        input_.pretendDrag(words[1] == "right", {command.number(2), command.number(3)}, framesAt(4));
+        waitFrames_ = framesAt(4);
+    } else if (name == "wheel") {
+        input_.pretendWheel(command.number(1));
+    } else {
+        waitFrames_ = wholeNumber(command, 1, 1, 1 << 20);
+    }
+}
+
+void Viewer::set(const std::string& option, const std::string& value) {
+    if (isViewSetting(option)) return applyViewSetting(state_.view, option, value);
+    if (option.starts_with(kOtherPrefix)) return applySetting(other_.settings, option.substr(6), value);
+    applySetting(main_.settings, option, value);
+    if (option == "size") window_.resize({main_.settings.width, main_.settings.height});
+    if (option != "camera") return;
+    const size_t count = state_.scene->cameras.size();
+    if (main_.settings.camera >= count) {
+        main_.settings.camera = other_.settings.camera;
+        fail("camera {}: the scene has {}, counted from 0", value, count);
+    }
+    other_.settings.camera = main_.settings.camera;
+    state_.cameraMoved = false;
+    state_.motion.look(poseOf(state_.scene->cameras[main_.settings.camera], state_.scene->frame));
+}
+
+void Viewer::chooseNext(const std::string& option) {
+    const bool isOther = option.starts_with(kOtherPrefix);
+    const std::string plain = isOther ? option.substr(6) : option;
+    const SettingHelp* help = helpOf(plain);
+    if (help == nullptr) fail("next {}: no such setting", option);
+    const RenderSettings& settings = isOther ? other_.settings : main_.settings;
+    std::string next =
+        nextChoice(*help, isViewSetting(plain) ? viewSettingValue(state_.view, plain) : settingValue(settings, plain));
+    if (next.empty()) fail("next {}: it is a number", option);
+    // What the bound takes is known to deferred shading only.
+    if (plain == "show" && next == "cut-off" && settings.technique != Technique::Deferred) next = "picture";
+    set(option, next);
+    if (!isViewSetting(plain)) tell(fmt::format("{}: {}", option, next));
+}
+
+}  // namespace manylight

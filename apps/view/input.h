@@ -1,0 +1,49 @@
+// Keys and mouse: of the window, and as scripts pretend them.
+#pragma once
+
+#include "apps/view/window.h"
+#include "apps/view_model/camera_motion.h"
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace manylight {
+
+/// Dear ImGui's context, fed by the window.
+class Input {
+  public:
+    explicit Input(Window& window);
+    ~Input();
+    Input(const Input&) = delete;
+    Input& operator=(const Input&) = delete;
+
+    /// Begins a frame of the panels. `seconds`: since the last one; 0: as the clock says.
+    void beginFrame(double seconds);
+    /// Names of the keys pressed since the last call, unless the panels want them.
+    std::vector<std::string> takePressedKeys();
+    /// What is asked of the camera now, less what the panels take.
+    CameraInput camera() const;
+    /// Mouse, as a share of the window's width, while it drags the divider near `divider`.
+    std::optional<float> draggedDivider(float divider);
+
+    void pretendKey(const std::string& key, uint32_t frames);
+    void pretendDrag(bool right, glm::dvec2 by, uint32_t frames);
+    void pretendWheel(double notches) { wheel_ += notches; }
+    /// Counts down what is pretended; to be called at the end of each frame.
+    void endFrame();
+
+  private:
+    bool isDown(const std::string& key) const;
+
+    Window& window_;
+    std::map<std::string, uint32_t> heldKeys_;  // frames left
+    std::set<std::string> freshKeys_;
+    glm::dvec2 dragLeft_{0.0};
+    glm::dvec2 dragRight_{0.0};
+    uint32_t dragFrames_ = 0;
+    double wheel_ = 0.0;
+    bool dragsDivider_ = false;
+};
+
+}  // namespace manylight

@@ -1,0 +1,85 @@
+#include "apps/view/panel_pass.h"
+
+#include "engine/core/check.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/window.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace manylight {
+namespace {
+
+static_assert(sizeof(shared::PanelVertex) == sizeof(ImDrawVert));
+
+/// A buffer that the host writes and shaders read, at least as large as `bytes`.
+void reserve(gpu::Device& device, PhysicalBuffer& buffer, const char* name, size_t bytes) {
+    if (buffer.buffer.exists() && buffer.buffer.size() >= bytes) return;
+    buffer = {
+        gpu::Buffer(device, name,
+                    {std::max<size_t>(2 * bytes, 4096), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryKind::Upload}),
+        {}};
+}
+
+}  // namespace
+
+PanelAtlas::PanelAtlas(gpu::Device& device) {
+    unsigned char* coverage = nullptr;
+    int width = 0;
+    int height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&coverage, &width, &height);
+    size_ = {width, height};
+    const size_t bytes = size_t{size_.x} * size_.y;
+    reserve(device, buffer_, "font", bytes);
+    std::memcpy(buffer_.buffer.mapped(), coverage, bytes);
+}
+
+void PanelFrame::upload(gpu::Device& device, const ImDrawData& data) {
+    reserve(device, vertices_, "panel vertices", static_cast<size_t>(data.TotalVtxCount) * sizeof(ImDrawVert));
+    reserve(device, indices_, "panel indices", static_cast<size_t>(data.TotalIdxCount) * sizeof(uint32_t));
+    origin_ = {data.DisplayPos.x, data.DisplayPos.y};
+    scale_ = {data.FramebufferScale.x, data.FramebufferScale.y};
+    draws_.clear();
+    auto* vertices = static_cast<ImDrawVert*>(vertices_.buffer.mapped());
+    auto* indices = static_cast<uint32_t*>(indices_.buffer.mapped());
+    uint32_t vertexCount = 0;
+    uint32_t indexCount = 0;
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            MANYLIGHT_CHECK(command.UserCallback == nullptr, "a panel that draws by itself");
+            const glm::vec2 low = (glm::vec2(command.ClipRect.x, command.ClipRect.y) - origin_) * scale_;
+            const glm::vec2 high = (glm::vec2(command.ClipRect.z, command.ClipRect.w) - origin_) * scale_;
+            if (high.x > low.x && high.y > low.y && command.ElemCount > 0)
+                draws_.push_back({{low, high}, indexCount, command.ElemCount});
+            for (uint32_t k = 0; k < command.ElemCount; ++k)
+                indices[indexCount++] =
+                    vertexCount + command.VtxOffset + list.IdxBuffer[static_cast<int>(command.IdxOffset + k)];
+        }
+        std::copy(list.VtxBuffer.begin(), list.VtxBuffer.end(), vertices + vertexCount);
+        vertexCount += static_cast<uint32_t>(list.VtxBuffer.Size);
+    }
+}
+
+ImageHandle PanelFrame::add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle canvas, glm::uvec2 canvasSize) {
+    if (draws_.empty()) return canvas;
+    PassBuilder pass = graph.addPass("window_panel");
+    pass.read(importPhysical(graph, "panel vertices", vertices_), Access::GraphicsStorageRead,
+              shared::kBindingPanelVertices)
+        .read(importPhysical(graph, "panel indices", indices_), Access::GraphicsStorageRead,
+              shared::kBindingPanelIndices)
+        .read(importPhysical(graph, "font", atlas.buffer()), Access::GraphicsStorageRead, shared::kBindingPanelAtlas);
+    canvas = pass.write(canvas, Access::ColorBlend);
+    pass.execute([this, canvasSize, atlasSize = atlas.size()](PassContext& context) {
+        for (const Draw& draw : draws_)
+            context.draw(
+                {.vertexShader = "window_panel.vert", .fragmentShader = "window_panel.frag", .overBlend = true},
+                draw.indexCount,
+                shared::WindowPanelPush{draw.clip, origin_, scale_, canvasSize, atlasSize, draw.firstIndex});
+    });
+    return canvas;
+}
+
+}  // namespace manylight

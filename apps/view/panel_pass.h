@@ -1,0 +1,43 @@
+// Dear ImGui's triangles as a pass of the frame graph.
+#pragma once
+
+#include "engine/graph/pass_context.h"
+
+struct ImDrawData;
+
+namespace manylight {
+
+/// The font's coverage, one byte a texel. Dear ImGui must have its context.
+class PanelAtlas {
+  public:
+    explicit PanelAtlas(gpu::Device& device);
+    PhysicalBuffer& buffer() { return buffer_; }
+    glm::uvec2 size() const { return size_; }
+
+  private:
+    PhysicalBuffer buffer_;
+    glm::uvec2 size_{0};
+};
+
+/// What one frame of the panels needs on the device; one for each frame in flight.
+class PanelFrame {
+  public:
+    /// Copies the lists; the device must be done with the last ones. They may be discarded afterwards.
+    void upload(gpu::Device& device, const ImDrawData& data);
+    /// Draws what was uploaded over `canvas`.
+    ImageHandle add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle canvas, glm::uvec2 canvasSize);
+
+  private:
+    struct Draw {
+        glm::vec4 clip{0.0f};  // pixels
+        uint32_t firstIndex = 0;
+        uint32_t indexCount = 0;
+    };
+    PhysicalBuffer vertices_;
+    PhysicalBuffer indices_;
+    std::vector<Draw> draws_;
+    glm::vec2 origin_{0.0f};
+    glm::vec2 scale_{1.0f};
+};
+
+}  // namespace manylight

@@ -1,0 +1,120 @@
+#include "apps/view/presenter.h"
+
+#include "engine/core/check.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/window.h"
+
+#include <imgui.h>
+
+#include <cstring>
+
+namespace manylight {
+namespace {
+
+constexpr uint32_t kFullScreen = 3;  // vertices of one large triangle
+
+glm::uvec2 sizeOf(const PhysicalImage& image) { return {image.texture.info().width, image.texture.info().height}; }
+
+}  // namespace
+
+Presenter::Presenter(gpu::Device& device, const Window& window, PresentMode mode)
+    : device_(device), window_(window), pipelines_(device), swapchain_(device, window, mode), atlas_(device) {
+    constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    nothing_.texture = gpu::Texture(device, "no other picture", {VK_FORMAT_R8G8B8A8_UNORM, 1, 1, kUsage});
+    writePhysical(device, nothing_, std::array<std::byte, 4>{});
+    for (Flight& flight : flights_) {
+        flight.executor = std::make_unique<GraphExecutor>(device, pipelines_);
+        VkSemaphoreCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
+        gpu::check(vkCreateSemaphore(device.handle(), &info, nullptr, &flight.available), "making a semaphore");
+    }
+}
+
+Presenter::~Presenter() {
+    vkDeviceWaitIdle(device_.handle());
+    for (const Flight& flight : flights_) vkDestroySemaphore(device_.handle(), flight.available, nullptr);
+}
+
+void Presenter::finish() {
+    for (Flight& flight : flights_) flight.executor->finish();
+}
+
+bool Presenter::follow(glm::uvec2 size) {
+    if (size.x == 0 || size.y == 0) return false;
+    if (isStale_ || swapchain_.size() != size) {
+        finish();
+        vkQueueWaitIdle(device_.queue());  // presentations hold semaphores too
+        if (!swapchain_.recreate()) return false;
+        isStale_ = false;
+    }
+    if (canvas_.texture.exists() && sizeOf(canvas_) == swapchain_.size()) return true;
+    finish();
+    constexpr VkImageUsageFlags kUsage =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    canvas_ = {};
+    canvas_.texture =
+        gpu::Texture(device_, "canvas", {VK_FORMAT_R8G8B8A8_UNORM, swapchain_.size().x, swapchain_.size().y, kUsage});
+    return true;
+}
+
+FrameGraph Presenter::declare(const Shown& shown, PanelFrame& panels, PhysicalImage& target) {
+    const glm::uvec2 size = swapchain_.size();
+    PhysicalImage& picture = *shown.picture;
+    const bool hasOther = shown.other != nullptr && shown.other != shown.picture;
+    FrameGraph graph;
+    ImageHandle canvas = importPhysical(graph, "canvas", canvas_);
+
+    PassBuilder draw = graph.addPass("window_picture");
+    const ImageHandle left = importPhysical(graph, "picture", picture);
+    draw.read(left, Access::GraphicsStorageRead, shared::kBindingDisplay);
+    PhysicalImage& other = hasOther ? *shown.other : nothing_;
+    draw.read(importPhysical(graph, "other picture", other), Access::GraphicsStorageRead, shared::kBindingOtherDisplay);
+    canvas = draw.write(canvas, Access::ColorWrite, VkClearValue{});
+    const shared::WindowPicturePush push{
+        sizeOf(picture), sizeOf(other), size,
+        hasOther ? shown.divider * static_cast<float>(size.x) : static_cast<float>(size.x)};
+    draw.execute([push](PassContext& context) {
+        context.draw({.vertexShader = "window_present.vert", .fragmentShader = "window_picture.frag"}, kFullScreen,
+                     push);
+    });
+    canvas = panels.add(graph, atlas_, canvas, size);
+
+    PassBuilder present = graph.addPass("window_present");
+    present.read(canvas, Access::GraphicsStorageRead, shared::kBindingCanvas);
+    const ImageHandle window =
+        present.write(importPhysical(graph, "window", target), Access::ColorWrite, VkClearValue{});
+    present.execute([encodes = swapchain_.encodesItself()](PassContext& context) {
+        context.draw({.vertexShader = "window_present.vert",
+                      .fragmentShader = "window_present.frag",
+                      .specialisation = {encodes}},
+                     kFullScreen);
+    });
+    graph.addPass("window_shown").read(window, Access::Present).keep("the window system shows it");
+    return graph;
+}
+
+void Presenter::present(const Shown& shown, const ImDrawData& panels) {
+    if (!follow(window_.framebufferSize())) return;
+    Flight& flight = flights_[next_];
+    const Execution last = flight.executor->finish();
+    if (!last.passTimes.empty()) passTimes_ = last.passTimes;
+    flight.panels.upload(device_, panels);
+    const std::optional<uint32_t> index = swapchain_.acquire(flight.available);
+    isStale_ = !index.has_value();
+    if (isStale_) return;
+    flight.executor->submit(declare(shown, flight.panels, swapchain_.image(*index)), flight.available,
+                            swapchain_.isDrawn(*index));
+    isStale_ = !swapchain_.present(*index);
+    next_ = (next_ + 1) % flights_.size();
+}
+
+Presenter::Screenshot Presenter::screenshot() {
+    MANYLIGHT_CHECK(canvas_.texture.exists(), "screenshot() before anything was shown");
+    finish();
+    const std::vector<std::byte> bytes = readPhysical(device_, canvas_);
+    Screenshot shot{sizeOf(canvas_), std::vector<uint8_t>(bytes.size())};
+    std::memcpy(shot.rgba.data(), bytes.data(), bytes.size());
+    return shot;
+}
+
+}  // namespace manylight

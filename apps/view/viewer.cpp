@@ -1,0 +1,271 @@
+#include "apps/view/viewer.h"
+
+#include "apps/view/panels.h"
+#include "apps/view_model/key_bindings.h"
+#include "engine/core/file.h"
+#include "engine/image/image_io.h"
+#include "engine/scene/import.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace manylight {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kScriptedFrame = 1.0 / 30.0;  // seconds, whatever the clock says
+constexpr double kStillAfter = 0.2;            // seconds
+constexpr double kIdlePoll = 0.05;             // seconds between frames that show nothing new
+constexpr double kWatchPeriod = 0.5;           // seconds between looks at the shaders
+constexpr double kMessageSeconds = 6.0;
+constexpr double kComparePeriod = 0.3;  // seconds between comparisons
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+double diagonalOf(const Scene& scene) {
+    return std::ldexp(glm::length(glm::dvec3(scene.boundsMax - scene.boundsMin)), scene.frame.exponent);
+}
+
+/// The other side begins as what is true.
+RenderSettings truthFor(RenderSettings settings) {
+    settings.technique = Technique::PathTracer;
+    settings.show = Show::Picture;
+    settings.castShadows = true;
+    return settings;
+}
+
+}  // namespace
+
+Viewer::Start Viewer::load(const ViewerOptions& options) {
+    if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
+    Start start{std::make_unique<Scene>(importScene(options.scene)), {}, {}};
+    printWarnings(start.scene->warnings);
+    start.settings = resolveSettings(*start.scene, options.settings);
+    const size_t camera = std::min<size_t>(start.settings.camera, start.scene->cameras.size() - 1);
+    start.size = start.settings.width > 0 ? glm::uvec2(start.settings.width, start.settings.height)
+                                          : start.scene->cameras[camera].resolution.value_or(glm::uvec2{512, 384});
+    return start;
+}
+
+Viewer::Viewer(const ViewerOptions& options, Start start)
+    : options_(options),
+      window_("Manylight", start.size),
+      device_({.select = options.device, .window = window_.system()}),
+      input_(window_),
+      presenter_(device_, window_, options.presentMode),
+      main_(device_),
+      other_(device_),
+      comparison_(device_),
+      lastFrame_(Clock::now()) {
+    for (const auto& [option, value] : options.viewSettings) applyViewSetting(state_.view, option, value);
+    if (!options.script.empty()) script_ = parseScript(readTextFile(options.script), options.script.string());
+    if (!options.reference.empty()) reference_ = readExr(options.reference);
+    if (!options.watchShaders.empty()) reloader_ = std::make_unique<ShaderReloader>(options.watchShaders);
+    main_.settings = start.settings;
+    main_.update(*start.scene, sideView());
+    take(std::move(start.scene));
+}
+
+Viewer::~Viewer() { vkDeviceWaitIdle(device_.handle()); }
+
+void Viewer::open(const std::filesystem::path& file) {
+    auto scene = std::make_unique<Scene>(importScene(file));
+    printWarnings(scene->warnings);
+    Side side(device_);
+    side.settings = resolveSettings(*scene, options_.settings);
+    SideView view = sideView();
+    view.camera.reset();
+    side.update(*scene, view);  // until here an Error leaves everything as it was
+    presenter_.finish();
+    main_ = std::move(side);
+    take(std::move(scene));
+    tell(fmt::format("opened {}", file.string()));
+}
+
+void Viewer::take(std::unique_ptr<Scene> scene) {
+    state_.scene = std::move(scene);
+    state_.lightsChanged = false;
+    state_.cameraMoved = false;
+    state_.times.clear();
+    state_.motion.reset(poseOf(state_.scene->cameras[main_.settings.camera], state_.scene->frame),
+                        diagonalOf(*state_.scene));
+    other_.drop();
+    other_.settings = truthFor(main_.settings);
+    comparison_.clear();
+    window_.setTitle(fmt::format("{} - Manylight", state_.scene->name));
+}
+
+SideView Viewer::sideView() const {
+    SideView view;
+    const glm::dvec2 size = state_.view.pixelScale * glm::dvec2(glm::max(window_.framebufferSize(), glm::uvec2(1)));
+    view.size = glm::uvec2(glm::round(size));
+    if (state_.cameraMoved) view.camera = cameraOf(state_.motion.pose(), state_.scene->frame);
+    view.quality = state_.quality;
+    view.isMoving = state_.isMoving;
+    return view;
+}
+
+void Viewer::run() {
+    while (!window_.shouldClose()) frame();
+}
+
+void Viewer::frame() {
+    const bool isScripted = nextLine_ < script_.size();
+    const bool rests = window_.isMinimised() || (isDone() && !isScripted);
+    window_.poll(rests ? kIdlePoll : 0.0);
+    const double measured = std::min(secondsSince(std::exchange(lastFrame_, Clock::now())), 0.1);
+    const double seconds = script_.empty() ? measured : kScriptedFrame;
+    for (const std::filesystem::path& file : window_.takeDroppedFiles())
+        perform({{"open", file.string()}, "dropped file"});
+    followScript();
+    if (reloader_) reloadShaders();
+
+    state_.messageSeconds -= seconds;
+    input_.beginFrame(script_.empty() ? 0.0 : kScriptedFrame);
+    takeInput(seconds);
+    showPanels();
+    ImGui::Render();
+    const Clock::time_point start = Clock::now();
+    if (!window_.isMinimised()) {
+        render();
+        compareSides();
+        present(secondsSince(start));
+    }
+    input_.endFrame();
+    ++frames_;
+}
+
+bool Viewer::needsOther() const {
+    return state_.view.compare == Compare::Split || (state_.view.compare == Compare::Difference && !reference_);
+}
+
+bool Viewer::isDone() const {
+    const auto sideIsDone = [&](const Side& side) {
+        return !side.isStale(sideView()) && side.frameCount() >= frameLimit();
+    };
+    return !state_.isMoving && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
+}
+
+bool Viewer::isWaiting() const {
+    return waitFrames_ > 0 || (holdFrames_ > 0 && !isDone()) ||
+           (!awaited_.empty() && !std::filesystem::exists(awaited_));
+}
+
+void Viewer::followScript() {
+    if (waitFrames_ > 0) --waitFrames_;
+    if (nextLine_ >= script_.size() || isWaiting()) return;
+    awaited_.clear();
+    perform(script_[nextLine_++]);
+}
+
+void Viewer::takeInput(double seconds) {
+    for (const std::string& key : input_.takePressedKeys())
+        if (const std::string command = commandOfKey(key); !command.empty())
+            perform(parseCommand(command, "key " + key));
+    if (state_.view.compare == Compare::Split)
+        if (const auto divider = input_.draggedDivider(static_cast<float>(state_.view.divider)))
+            state_.view.divider = double{*divider};
+    CameraInput camera = input_.camera();
+    if (heldLight_) camera.turn = glm::dvec2(0.0);
+    const double height = std::max(double{ImGui::GetIO().DisplaySize.y}, 1.0);
+    secondsSinceMove_ += seconds;
+    if (state_.motion.advance(camera, state_.view.navigation, seconds, height)) {
+        state_.cameraMoved = true;
+        secondsSinceMove_ = 0.0;
+    }
+}
+
+void Viewer::showPanels() {
+    if (!main_.exists()) return;
+    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_, device_,
+                                           presenter_.swapchain().describe(), reference_.has_value(), heldLight_});
+    if (answer.isDragging) secondsSinceMove_ = 0.0;
+    for (const std::string& command : answer.commands) perform(parseCommand(command, "panel"));
+}
+
+void Viewer::render() {
+    state_.isMoving = secondsSinceMove_ < kStillAfter;
+    const bool isLimited = state_.isMoving && state_.view.budget > 0.0;
+    state_.quality = isLimited ? state_.budget.quality(usesVpls(main_.settings)) : FrameQuality{};
+    passTimes_.clear();
+    renderSide(main_, sideView());
+    if (needsOther()) renderSide(other_, sideView());
+}
+
+void Viewer::renderSide(Side& side, const SideView& view) {
+    try {
+        if (side.isStale(view)) {
+            presenter_.finish();
+            comparison_.clear();
+            side.update(*state_.scene, view);
+        }
+    } catch (const Error& error) {
+        tell(error.what(), true);
+    }
+    side.showAsAsked();
+    if (!side.exists() || side.frameCount() >= frameLimit()) return;
+    const Execution execution = side.render();
+    passTimes_.insert(passTimes_.end(), execution.passTimes.begin(), execution.passTimes.end());
+}
+
+void Viewer::compareSides() {
+    if (state_.view.compare != Compare::Difference || state_.isMoving) return comparison_.clear();
+    const glm::uvec2 frames{main_.frameCount(), other_.frameCount()};
+    const bool isNew = frames != comparedFrames_ || !comparison_.report();
+    if (!isNew || (comparison_.report() && script_.empty() && secondsSince(comparedAt_) < kComparePeriod)) return;
+    presenter_.finish();
+    try {
+        comparison_.update(main_.renderer(), reference_ ? *reference_ : other_.renderer().radiance());
+    } catch (const Error& error) {
+        tell(error.what(), true);
+    }
+    comparedFrames_ = frames;
+    comparedAt_ = Clock::now();
+}
+
+void Viewer::present(double since) {
+    const Clock::time_point start = Clock::now();
+    const bool showsDifference = state_.view.compare == Compare::Difference && comparison_.report();
+    const bool isSplit = state_.view.compare == Compare::Split && other_.exists();
+    presenter_.present({.picture = showsDifference ? &comparison_.picture() : &main_.renderer().display(),
+                        .other = isSplit ? &other_.renderer().display() : nullptr,
+                        .divider = static_cast<float>(state_.view.divider)},
+                       *ImGui::GetDrawData());
+    if (passTimes_.empty()) return;
+    const double milliseconds = 1e3 * (since + secondsSince(start));
+    passTimes_.insert(passTimes_.end(), presenter_.passTimes().begin(), presenter_.passTimes().end());
+    state_.times.add(passTimes_, milliseconds);
+    if (state_.isMoving && state_.view.budget > 0.0)
+        state_.budget.report(milliseconds, state_.view.budget, usesVpls(main_.settings));
+}
+
+void Viewer::reloadShaders() {
+    if (secondsSince(watchedAt_) < kWatchPeriod) return;
+    watchedAt_ = Clock::now();
+    for (const CompiledShader& shader : reloader_->compileChanged()) {
+        state_.shaderProblem = shader.problem;
+        if (!shader.problem.empty()) break;
+        presenter_.finish();
+        device_.waitIdle();
+        for (gpu::PipelineLibrary* library :
+             {&presenter_.pipelines(), main_.exists() ? &main_.renderer().pipelines() : nullptr,
+              other_.exists() ? &other_.renderer().pipelines() : nullptr})
+            if (library != nullptr) library->replaceShader(shader.name, shader.words);
+        main_.forget();
+        other_.forget();
+        tell(fmt::format("{} is new", shader.name));
+    }
+}
+
+void Viewer::tell(std::string message, bool isError) {
+    if (isError && (message != state_.message || !state_.isError)) fmt::print(stderr, "manylight-view: {}\n", message);
+    state_.message = std::move(message);
+    state_.isError = isError;
+    state_.messageSeconds = kMessageSeconds;
+}
+
+}  // namespace manylight

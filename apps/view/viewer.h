@@ -1,0 +1,124 @@
+// The viewer: its state, and one frame after the other.
+#pragma once
+
+#include "apps/common/command_line.h"
+#include "apps/view/comparison.h"
+#include "apps/view/input.h"
+#include "apps/view/presenter.h"
+#include "apps/view_model/camera_motion.h"
+#include "apps/view_model/script.h"
+#include "apps/view_model/shader_reloader.h"
+#include "apps/view_model/time_history.h"
+#include "apps/view_model/view_settings.h"
+
+#include <chrono>
+#include <filesystem>
+
+namespace manylight {
+
+struct ViewerOptions {
+    std::filesystem::path scene;
+    std::filesystem::path script;
+    std::filesystem::path reference;     // EXR that differences are taken from; empty: the other side
+    std::filesystem::path watchShaders;  // source tree
+    std::string device;
+    PresentMode presentMode = PresentMode::Fifo;
+    TypedSettings settings;
+    TypedSettings viewSettings;
+};
+
+/// What the panels tell of; they change it by commands only.
+struct ViewState {
+    ViewSettings view;
+    std::unique_ptr<Scene> scene;
+    bool lightsChanged = false;
+    CameraMotion motion;
+    bool cameraMoved = false;  // away from the scene's camera
+    bool isMoving = false;     // the camera, or a slider that is held
+    FrameBudget budget;
+    FrameQuality quality;
+    TimeHistory times;
+    std::string message;
+    double messageSeconds = 0.0;  // that it is still to be seen
+    bool isError = false;
+    std::string shaderProblem;  // of the last reload; empty: none
+};
+
+class Viewer {
+  public:
+    explicit Viewer(const ViewerOptions& options) : Viewer(options, load(options)) {}
+    ~Viewer();
+    /// Until the window is closed or the script says so.
+    void run();
+
+  private:
+    /// What there is before the window.
+    struct Start {
+        std::unique_ptr<Scene> scene;
+        RenderSettings settings;
+        glm::uvec2 size{0};
+    };
+    static Start load(const ViewerOptions& options);
+    Viewer(const ViewerOptions& options, Start start);
+
+    void open(const std::filesystem::path& file);
+    void take(std::unique_ptr<Scene> scene);
+    void frame();
+    void followScript();
+    void takeInput(double seconds);
+    void reloadShaders();
+    void render();
+    void renderSide(Side& side, const SideView& view);
+    void compareSides();
+    void showPanels();
+    void present(double since);
+    bool isDone() const;
+    bool isWaiting() const;
+    uint32_t frameLimit() const { return holdFrames_ > 0 ? holdFrames_ : state_.view.frameLimit; }
+    bool needsOther() const;
+    SideView sideView() const;
+
+    /// Does what a command says; an Error becomes the message.
+    void perform(const Command& command);
+    void performCommand(const Command& command);
+    bool performFileCommand(const Command& command);
+    bool performLightCommand(const Command& command);
+    void set(const std::string& option, const std::string& value);
+    void chooseNext(const std::string& option);
+    void changeLight(const Command& command);
+    void lightsHaveChanged();
+    void tell(std::string message, bool isError = false);
+    void copyView();
+    void saveView(std::filesystem::path file);
+    void capture(std::filesystem::path file);
+    void writeReport(const std::filesystem::path& file);
+    Json viewJson(const std::filesystem::path& target) const;
+    std::filesystem::path freshName(const char* extension) const;
+
+    ViewerOptions options_;
+    Window window_;
+    gpu::Device device_;
+    Input input_;
+    Presenter presenter_;
+    ViewState state_;
+    Side main_;
+    Side other_;
+    Comparison comparison_;
+    std::optional<Image> reference_;
+    std::unique_ptr<ShaderReloader> reloader_;
+    std::vector<Command> script_;
+    size_t nextLine_ = 0;
+    uint32_t waitFrames_ = 0;        // of the script
+    std::filesystem::path awaited_;  // a file that the script waits for
+    uint32_t holdFrames_ = 0;        // the script wants the mean of so many; 0: no wish
+    std::chrono::steady_clock::time_point lastFrame_;
+    double secondsSinceMove_ = 1e9;
+    std::optional<size_t> heldLight_;  // by the mouse, which does not turn the camera then
+    std::vector<PassTime> passTimes_;  // of the frame at hand
+    glm::uvec2 comparedFrames_{0};     // of both sides
+    std::chrono::steady_clock::time_point comparedAt_;
+    std::chrono::steady_clock::time_point watchedAt_;
+    uint64_t frames_ = 0;
+};
+
+}  // namespace manylight

@@ -1,0 +1,39 @@
+// Shaders compiled again while the program runs, when their sources change.
+#pragma once
+
+#include "engine/gpu/pipeline.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace manylight {
+
+/// An entry point whose source, or one that it includes, has changed.
+struct CompiledShader {
+    std::string name;  // "vpl_light.comp"
+    std::vector<uint32_t> words;
+    std::string problem;  // the compiler's, with file and line; empty if it went well
+};
+
+class ShaderReloader {
+  public:
+    /// `tree` has shaders/passes/. Throws Error if it has not.
+    explicit ShaderReloader(const std::filesystem::path& tree);
+
+    /// The shaders that changed since the last call, compiled by glslangValidator.
+    std::vector<CompiledShader> compileChanged();
+
+  private:
+    using Time = std::filesystem::file_time_type;
+    std::map<std::filesystem::path, Time> sourceTimes() const;
+    std::set<std::filesystem::path> sourcesOf(const std::filesystem::path& entryPoint) const;
+    CompiledShader compile(const std::filesystem::path& entryPoint) const;
+
+    std::filesystem::path tree_;
+    std::map<std::filesystem::path, Time> known_;
+};
+
+}  // namespace manylight

@@ -1,0 +1,90 @@
+#include "apps/view_model/sidecar_writer.h"
+
+#include "engine/core/file.h"
+#include "engine/scene/json_view.h"
+#include "engine/scene/scene_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace manylight {
+namespace {
+
+namespace fs = std::filesystem;
+
+Json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+fs::path relativeTo(const fs::path& file, const fs::path& folder) {
+    const fs::path relative = fs::absolute(file).lexically_relative(fs::absolute(folder));
+    return relative.empty() ? fs::absolute(file) : relative;
+}
+
+/// Lights of the scene as they are now, and the rectangles of the old list, which are surfaces by now.
+Json lightsJson(const Scene& scene, const Json& old) {
+    Json lights = Json::array();
+    for (const Light& light : scene.lights) lights.push_back(lightJson(light, scene.frame));
+    if (old.contains("lights"))
+        for (const Json& light : old["lights"])
+            if (light.value("type", "") == "rect_area") lights.push_back(light);
+    return lights;
+}
+
+}  // namespace
+
+Json lightJson(const Light& light, const SceneFrame& frame) {
+    const double unit = std::ldexp(1.0, frame.exponent);
+    const Json position = vectorJson(frame.center + unit * glm::dvec3(light.position));
+    const Json intensity = vectorJson(unit * unit * glm::dvec3(light.emission));
+    Json json = {{"type", "point"}};
+    if (!light.name.empty()) json["name"] = light.name;
+    switch (light.type) {
+        case LightType::Point:
+            json["position"] = position;
+            json["intensity"] = intensity;
+            break;
+        case LightType::Spot:
+            json["type"] = "spot";
+            json["position"] = position;
+            json["direction"] = vectorJson(glm::dvec3(light.direction));
+            json["cutoff_deg"] = glm::degrees(std::acos(std::clamp(double{light.cosCutoff}, -1.0, 1.0)));
+            json["beam_deg"] = glm::degrees(std::acos(std::clamp(double{light.cosBeam}, -1.0, 1.0)));
+            json["intensity"] = intensity;
+            break;
+        case LightType::Directional:
+            json["type"] = "directional";
+            json["direction"] = vectorJson(glm::dvec3(light.direction));
+            json["irradiance"] = vectorJson(glm::dvec3(light.emission));
+            break;
+        case LightType::Constant:
+            json["type"] = "constant";
+            json["radiance"] = vectorJson(glm::dvec3(light.emission));
+            break;
+    }
+    return json;
+}
+
+Json sidecarOf(const ViewToSave& view, const fs::path& target) {
+    const fs::path folder = fs::absolute(target).parent_path();
+    const fs::path& source = view.scene.path;
+    Json json = Json::object();
+    if (sceneFileKind(source) == SceneFileKind::Sidecar) {
+        json = parseJson(readTextFile(source), source.string());
+        json["scene"] = relativeTo(source.parent_path() / json.value("scene", ""), folder).generic_string();
+    } else {
+        json["scene"] = relativeTo(source, folder).generic_string();
+    }
+    if (view.pose) json["camera"] = toJson(*view.pose, view.resolution);
+    if (view.lightsChanged) {
+        json["lights"] = lightsJson(view.scene, json);
+        json["use_gltf_lights"] = false;
+    }
+    Json settings = Json::object();
+    const Json all = toJson(view.settings);
+    for (const auto& [option, value] : all.items())
+        if (!value.is_null() && option != "size") settings[option] = value;
+    if (view.pose) settings.erase("camera");  // the sidecar has one camera
+    json["settings"] = settings;
+    return json;
+}
+
+}  // namespace manylight

@@ -1,0 +1,100 @@
+// A renderer that is told of changes shows what a new one would.
+#include "tests/gpu/gpu_test.h"
+#include "tests/gpu/test_scenes.h"
+
+namespace manylight::test {
+namespace {
+
+using RendererChanges = GpuTest;
+
+RenderSettings bouncing() {
+    RenderSettings settings = plainSettings(16, 12);
+    settings.vplCount = 20;
+    settings.bounceCount = 2;
+    settings.castShadows = true;
+    return settings;
+}
+
+/// Emissive surfaces, some by a texture, and a point light.
+Scene litBox() {
+    Scene scene = patternedRoom();
+    scene.lights = {pointLight({0.1f, 0.2f, 0.05f}, {0.2f, 0.1f, 0.3f})};
+    return scene;
+}
+
+Image frameOf(Renderer& renderer) {
+    renderer.renderFrame();
+    return renderer.radiance();
+}
+
+TEST_F(RendererChanges, OtherLightsGiveThePictureOfASceneThatHasThem) {
+    Scene scene = litBox();
+    Renderer renderer(device(), scene, bouncing());
+    const Image before = frameOf(renderer);
+    scene.lights.front().position.y = -0.1f;
+    scene.lights.push_back(scene.lights.front());
+    scene.lights.back().type = LightType::Directional;
+    renderer.relight(scene);
+    const Image changed = frameOf(renderer);
+    EXPECT_FALSE(sameBits(before, changed));
+    EXPECT_TRUE(sameBits(changed, render(scene, bouncing())));
+
+    scene.lights.clear();
+    renderer.relight(scene);
+    EXPECT_TRUE(sameBits(frameOf(renderer), render(scene, bouncing())));
+}
+
+TEST_F(RendererChanges, AnotherCameraGivesThePictureOfASceneThatHasIt) {
+    Scene scene = litBox();
+    Renderer renderer(device(), scene, bouncing());
+    const Image before = frameOf(renderer);
+    Camera camera = scene.cameras.front();
+    camera.origin += 0.05f * camera.up;
+    camera.verticalFov *= 1.1f;
+    renderer.lookThrough(camera);
+    EXPECT_EQ(renderer.frameCount(), 0u);
+    const Image moved = frameOf(renderer);
+    EXPECT_FALSE(sameBits(before, moved));
+    renderer.restart(bouncing());
+    EXPECT_TRUE(sameBits(frameOf(renderer), moved)) << "restarting keeps the camera";
+    scene.cameras.front() = camera;
+    EXPECT_TRUE(sameBits(render(scene, bouncing()), moved));
+}
+
+TEST_F(RendererChanges, ExposureIsSeenAtOnceAndCostsNoFrame) {
+    const Scene scene = litBox();
+    Renderer renderer(device(), scene, bouncing());
+    renderer.renderFrame();
+    const std::vector<uint8_t> before = renderer.displayRgba();
+    renderer.setDisplay(1.5f, ToneCurve::Reinhard);
+    EXPECT_EQ(renderer.frameCount(), 1u);
+    const std::vector<uint8_t> changed = renderer.displayRgba();
+    EXPECT_NE(changed, before);
+
+    RenderSettings settings = bouncing();
+    settings.exposure = 1.5f;
+    settings.toneCurve = ToneCurve::Reinhard;
+    Renderer other(device(), scene, settings);
+    other.renderFrame();
+    EXPECT_EQ(changed, other.displayRgba());
+}
+
+TEST_F(RendererChanges, WhatTheBoundTakesIsShownAsItIsRecorded) {
+    const Scene scene = litBox();
+    RenderSettings settings = bouncing();
+    settings.clamp = ClampMode::Bound;
+    settings.clampBound = 0.01f;
+    Renderer renderer(device(), scene, settings);
+    renderer.keepCutOff(true);
+    renderer.renderFrame();
+    const Image recorded = renderer.cutOff();
+    EXPECT_GT(meanOf(recorded), 0.0);
+    settings.show = Show::CutOff;
+    EXPECT_TRUE(sameBits(render(scene, settings), recorded));
+
+    settings.technique = Technique::Forward;
+    EXPECT_THROW(render(scene, settings), Error) << "forward shading does not know it";
+}
+
+}  // namespace
+}  // namespace manylight::test
