@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/gpu/device.h"
+#include "engine/scene/import_options.h"
 #include "engine/scene/scene.h"
 #include "engine/techniques/settings.h"
 
@@ -22,6 +23,10 @@ void addStandardOptions(CLI::App& app);
 
 /// Adds one option for every setting of the renderer, but those in `except`.
 void addSettingOptions(CLI::App& app, TypedSettings& typed, const std::vector<std::string>& except = {});
+
+/// Adds --instances, for ImportOptions.
+void addInstancesOption(CLI::App& app, std::string& mode);
+InstanceMode instanceModeFrom(const std::string& mode);
 
 /// Sidecar settings first, then the command line's.
 RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed);

@@ -1,7 +1,7 @@
 // The scene on the device: what ScenePlan says it needs, and nothing else.
 #pragma once
 
-#include "engine/accel/bvh.h"
+#include "engine/accel/top_level.h"
 #include "engine/core/report.h"
 #include "engine/graph/pass_context.h"
 #include "engine/scene/emitters.h"
@@ -19,9 +19,12 @@ struct GpuScene {
     PhysicalBuffer textureInfos;
     PhysicalBuffer texels;
     PhysicalBuffer emitters;
+    PhysicalBuffer instances;          // if there are two levels
 
-    uint32_t triangleCount = 0;
-    std::vector<uint32_t> triangleOrder;  // leaf order -> Scene::triangles
+    uint32_t triangleCount = 0;        // with all repeats
+    uint32_t instanceCount = 0;        // 0: every triangle is in the scene's frame
+    TriangleNumbers numbers;           // of the triangles that the device talks of
+    std::vector<DrawRange> draws;      // all triangles, for rasterisation
     EmitterTable emitterTable;
     BoundingSphere sphere;
     double surfaceArea = 0.0;    // of all triangles, normalised frame
@@ -49,6 +52,7 @@ struct SceneHandles {
     BufferHandle textureInfos;
     BufferHandle texels;
     BufferHandle emitters;
+    BufferHandle instances;
 };
 SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status);
 

@@ -85,7 +85,7 @@ EmissionMet emissionMetBy(Hit hit, vec3 direction) {
     if (hit.triangle == kNoHit)
         return EmissionMet(frame.environmentRadiance, count * frame.areaEnvironmentProbability / (4.0 * kPi));
     const TriangleRecord t = loadTriangle(hit.triangle);
-    const uint material = triangleMaterials[hit.triangle];
+    const uint material = materialOf(hit.triangle);
     const float cosLight = -dot(counterClockwiseNormal(t), direction);
     if (cosLight <= 0.0) return EmissionMet(vec3(0.0), 0.0);
     const float area = areaOf(t);

@@ -35,6 +35,7 @@ MANYLIGHT_CONSTANT(int, kBindingTriangleColours, 26);   // storage: three RGBA16
 MANYLIGHT_CONSTANT(int, kBindingPathGloss, 27);         // storage: VplGloss per entry of kBindingPathVertices
 MANYLIGHT_CONSTANT(int, kBindingVplGloss, 28);          // storage, or texel buffer RGBA32F: VplGloss per VPL
 MANYLIGHT_CONSTANT(int, kBindingGBufferGloss, 29);      // image RGBA32_UINT: reflectance at normal incidence, alpha
+MANYLIGHT_CONSTANT(int, kBindingInstances, 36);         // storage texel buffer, RGBA32_UINT: kTexelsPerInstance per Instance
 
 MANYLIGHT_SHARED_END
 #endif
