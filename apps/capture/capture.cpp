@@ -57,6 +57,12 @@ Json depthLimit(const Renderer& renderer) {
             {"light_paths_cut_off", renderer.status().pathsTruncated}};
 }
 
+/// What the bound on the geometry term is relative to, in the scene's own square units.
+Json litArea(const Scene& scene, const Renderer& renderer) {
+    if (!renderer.litArea()) return nullptr;
+    return std::ldexp(*renderer.litArea(), 2 * scene.frame.exponent);
+}
+
 Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& renderer, const Frames& frames,
                 double importSeconds, uint64_t nonFinite) {
     const auto orNull = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
@@ -71,6 +77,7 @@ Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& r
             {"relative_standard_error", orNull(frames.relativeError)},
             {"non_finite_values", nonFinite},
             {"depth_limit", depthLimit(renderer)},
+            {"lit_area", litArea(scene, renderer)},
             {"vpls_traced_last_frame", renderer.status().vplsTraced},
             {"vpls_shaded_last_frame", renderer.status().vplsShaded},
             {"memory", renderer.gpuScene().report()},

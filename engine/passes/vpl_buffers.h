@@ -16,6 +16,12 @@ VplBuffers createVplBuffers(FrameGraph& graph, const ScenePlan& plan, uint32_t v
 /// Declares that a pass reads VPLs as texels.
 void readVpls(PassBuilder& pass, const VplBuffers& vpls, PipelineKind kind);
 
+/// A buffer that copyVplsToHost() fills, for that many VPLs.
+PhysicalBuffer makeVplCopy(gpu::Device& device, uint32_t vplCount);
+
+/// Lets the host read `list` after the frame.
+void copyVplsToHost(FrameGraph& graph, BufferHandle list, PhysicalBuffer& copy);
+
 /// Entries of the list with its padding.
 uint32_t paddedVplCount(uint32_t vplCount);
 

@@ -60,6 +60,8 @@ class Renderer {
     const Warnings& warnings() const { return warnings_; }
     uint32_t frameCount() const { return frameCount_; }
     const shared::FrameStatus& status() const { return status_; }
+    /// Area that light reaches, in the normalised frame; known with a bound on the geometry term only. See litArea().
+    std::optional<double> litArea() const { return litArea_; }
     const StartupTimes& startupTimes() const { return startupTimes_; }
     GraphExecutor& executor() { return executor_; }
     gpu::PipelineLibrary& pipelines() { return pipelines_; }
@@ -74,6 +76,7 @@ class Renderer {
 
   private:
     void resolve(const RenderSettings& settings);
+    void measureLitArea();
     void makeTargets();
     void writeFrameConstants();
     FrameGraph declareFrame();
@@ -97,6 +100,7 @@ class Renderer {
     PhysicalImage display_;
     shared::FrameStatus status_{};
     Warnings warnings_;
+    std::optional<double> litArea_;  // see litArea(); with a bound on the geometry term only
     uint32_t frameCount_ = 0;
     bool isUnlimited_ = false;  // the depth limit is ours, not the user's
     bool keepsVpls_ = false;

@@ -1,27 +1,16 @@
-// A point on a surface is moved off it by a few steps of its own floating-point grid (Waechter and Binder 2019).
+// A point on a surface is moved off it, by more than its own error, so that rays from it do not meet that surface again.
 #ifndef MANYLIGHT_SHARED_RAY_OFFSET_H
 #define MANYLIGHT_SHARED_RAY_OFFSET_H
 #include "shaders/shared/language.h"
 
 MANYLIGHT_SHARED_BEGIN
-#ifdef __cplusplus
-using glm::abs;
-using glm::floatBitsToInt;
-using glm::intBitsToFloat;
-#endif
 
-// Near zero the grid is too fine to say anything about the error of a point: there the step is absolute.
-MANYLIGHT_FUNCTION float offsetCoordinate(float position, float normal) {
-    const int steps = int(256.0f * normal);
-    const float moved = intBitsToFloat(floatBitsToInt(position) + (position < 0.0f ? -steps : steps));
-    return abs(position) < 1.0f / 32.0f ? position + normal / 65536.0f : moved;
-}
+// In the normalised frame a hit lies within gamma(7) (|b0 p0| + |b1 p1| + |b2 p2|) <= 4.2e-7 of its triangle along each
+// axis (Pharr, Jakob and Humphreys, 6.8), wherever it is: the triangle's corners count, not the point. Nine times that.
+MANYLIGHT_CONSTANT(float, kRayOffset, 1.0f / 262144.0f);
 
-// `position` in the normalised frame (the absolute step belongs to it), `side` a unit normal on the side to go to.
-MANYLIGHT_FUNCTION vec3 offsetPoint(vec3 position, vec3 side) {
-    return vec3(offsetCoordinate(position.x, side.x), offsetCoordinate(position.y, side.y),
-                offsetCoordinate(position.z, side.z));
-}
+// `position` in the normalised frame (the step belongs to it), `side` a unit normal on the side to go to.
+MANYLIGHT_FUNCTION vec3 offsetPoint(vec3 position, vec3 side) { return position + kRayOffset * side; }
 
 MANYLIGHT_SHARED_END
 #endif

@@ -42,7 +42,7 @@ const std::vector<StabilityCase>& stabilityCases() {
         {24, "coplanar", "a lamp in the plane of a ceiling, floors in one plane", kQuick, coplanar},
         {24, "duplicates", "every triangle twice", kQuick, duplicates},
         {25, "thin-walls", "a wall of 1e-2 to 1e-7 of the scene, and of none", kQuick, thinWalls},
-        {25, "ray-offsets", "points leave surfaces by steps of their own grid", kQuick, rayOffsets},
+        {25, "ray-offsets", "points leave surfaces by more than a hit is wrong", kQuick, rayOffsets},
         {26, "nested-boxes", "closed boxes in closed boxes", kQuick, nestedBoxes},
         {27, "faulty-albedos", "albedo 0, 1, above, NaN, (1, 0, 0)", kQuick, faultyAlbedos},
         {28, "coincident-vpls", "a hundred thousand VPLs in one point", kQuick, coincidentVpls},

@@ -115,15 +115,14 @@ Findings oneCentroid(StabilityLab& lab) {
 }
 
 Findings rayOffsets(StabilityLab&) {
-    // A point leaves its surface by 256 steps of its own grid at most, and by more than the rounding of a hit.
+    // A point leaves its surface by more than the rounding of a hit, and by no more than rounding leaves of that.
     Findings findings;
     for (const float coordinate : {1e-6f, 1.0f / 32.0f, 0.1f, 0.5f, 1.0f, -0.3f, -1.0f}) {
         const glm::vec3 position(coordinate, 0.2f, -0.7f);
         const float moved = shared::offsetPoint(position, {1, 0, 0}).x - coordinate;
-        const float step = std::max(std::abs(coordinate) * 0x1p-23f, 0x1p-32f);
-        const bool isRight = moved > 4.0f * step && moved <= 0x1p-14f;
+        const bool isRight = moved > 5e-7f && moved <= 4e-6f;
         findings.push_back(
-            holds(fmt::format("at {}", coordinate), "4 steps to 6e-5", fmt::format("{:.2e}", moved), isRight));
+            holds(fmt::format("at {}", coordinate), "5e-7 to 4e-6", fmt::format("{:.2e}", moved), isRight));
     }
     return findings;
 }
