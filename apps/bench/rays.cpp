@@ -33,6 +33,7 @@ BenchCommand addRaysCommand(CLI::App& app) {
     parser->add_option("scene", options->scene, "OBJ, glTF or GLB file, or a JSON sidecar");
     parser->add_option("--size", options->size, "one primary ray per pixel")->capture_default_str();
     parser->add_option("--camera", options->camera, "index of the scene's camera");
+    addInstancesOption(*parser, options->instances);
     parser->add_option("--repetitions", options->repetitions, "times that every set is traced")
         ->check(CLI::Range(1, 1 << 20))
         ->capture_default_str();

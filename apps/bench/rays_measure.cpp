@@ -79,8 +79,7 @@ void checkAnyHits(const Scene& scene, const EmbreeReference& embree, const Bench
 }
 
 void checkClosestHits(const Scene& scene, const EmbreeReference& embree, const BenchRays& set,
-                      const std::vector<shared::RayHit>& hits, const std::vector<uint32_t>& triangleOrder,
-                      RaySetRun& run) {
+                      const std::vector<shared::RayHit>& hits, const TriangleNumbers& numbers, RaySetRun& run) {
     for (size_t i = 0; i < set.rays.size(); ++i) {
         const std::optional<ClosestHit> expected = embree.closest(set.rays[i]);
         const bool isHit = hits[i].triangle != shared::kNoHit;
@@ -89,7 +88,7 @@ void checkClosestHits(const Scene& scene, const EmbreeReference& embree, const B
             countDifferentHit(scene, set.rays[i], run.differences);
         } else if (isHit && std::abs(hits[i].t - expected->t) > kDistanceTolerance * expected->t) {
             ++run.differences.distances;
-        } else if (isHit && triangleOrder[hits[i].triangle] != expected->triangle) {
+        } else if (isHit && numbers.flattenedTriangle(hits[i].triangle) != expected->triangle) {
             ++run.differences.triangles;
         }
     }
@@ -106,7 +105,7 @@ RaySetRun checkSet(const Scene& scene, RayCaster& caster, const EmbreeReference&
     if (set.kind == RayKind::AnyHit)
         checkAnyHits(scene, robust, set, caster.occludedFlags(), run);
     else
-        checkClosestHits(scene, robust, set, caster.hits(), caster.gpuScene().triangleOrder, run);
+        checkClosestHits(scene, robust, set, caster.hits(), caster.gpuScene().numbers, run);
     return run;
 }
 
@@ -120,8 +119,9 @@ void checkSize(const gpu::Device& device, glm::uvec2 size) {
 }  // namespace
 
 RaysRun measureRays(const RaysOptions& options) {
-    const Scene scene = importScene(options.scene);
-    printWarnings(scene.warnings);
+    const Scene loaded = importScene(options.scene, {.instances = instanceModeFrom(options.instances)});
+    printWarnings(loaded.warnings);
+    const Scene scene = flattened(loaded);
     RenderSettings settings;
     applySetting(settings, "size", options.size);
     const glm::uvec2 size{settings.width, settings.height};
@@ -142,9 +142,9 @@ RaysRun measureRays(const RaysOptions& options) {
                 .sets = {},
                 .calibration = {}};
     const auto start = Clock::now();
-    const Bvh bvh = buildBvh(scene);
+    const Bvh bvh = buildBvh(loaded);
     run.buildSeconds = secondsSince(start);
-    RayCaster caster(device, scene, bvh);
+    RayCaster caster(device, loaded, bvh);
     run.memory = caster.gpuScene().report();
 
     const BenchLights lights = makeBenchLights(device, scene, options.seed);

@@ -13,6 +13,7 @@ struct RaysOptions {
     std::filesystem::path scene;
     std::string size = "512x384";  // primary rays
     uint32_t camera = 0;
+    std::string instances = "auto";
     uint32_t repetitions = 15;
     uint32_t threadCount = 0;  // for Embree; 0: as many as the host has
     uint32_t seed = 0;

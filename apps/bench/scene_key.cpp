@@ -40,6 +40,9 @@ void addSurfaces(Key& key, const Scene& scene) {
     for (const Vertex& vertex : scene.vertices)
         key.add(vertex.position, vertex.normal, vertex.uv, vertex.uv1, vertex.colour);
     for (const Triangle& triangle : scene.triangles) key.add(triangle.vertex, triangle.material);
+    for (const MeshInstance& instance : scene.instances)
+        key.add(instance.mesh, instance.sceneFromMesh[0], instance.sceneFromMesh[1], instance.sceneFromMesh[2],
+                instance.center);
     for (const Material& m : scene.materials) {
         key.add(m.albedo, m.emittedRadiance, m.metallic, m.roughness, m.specular, m.normalScale, m.alphaMode, m.opacity,
                 m.alphaCutoff, m.unlit);

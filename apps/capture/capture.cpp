@@ -99,7 +99,7 @@ void capture(const CaptureOptions& options) {
     checkOutputs(options);
 
     const auto start = Clock::now();
-    const Scene scene = importScene(options.scene);
+    const Scene scene = importScene(options.scene, {.instances = instanceModeFrom(options.instances)});
     const double importSeconds = secondsSince(start);
     printWarnings(scene.warnings);
     RenderSettings settings = resolveSettings(scene, options.settings);

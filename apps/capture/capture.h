@@ -19,6 +19,7 @@ struct CaptureOptions {
     std::string dumpGraph;
     std::string dumpPass;
     bool explain = false;
+    std::string instances = "auto";
     std::string device;
     TypedSettings settings;
 

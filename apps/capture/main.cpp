@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
     app.add_option("--report", options.report, "run report as JSON");
     app.add_option("--dump-graph", options.dumpGraph, "write FILE.dot and FILE.json: the frame graph");
     app.add_option("--dump-pass", options.dumpPass, "write every image this pass wrote beside the output, as EXR");
+    addInstancesOption(app, options.instances);
     app.add_flag("--explain", options.explain, "print what this scene does not need, and why");
     app.add_option("--device", options.device, "index or part of the name of a Vulkan device");
     app.add_flag("--list-devices", listDevices, "print the Vulkan devices and exit");

@@ -31,6 +31,20 @@ void addOptions(CLI::App& app, const std::vector<SettingHelp>& helps, TypedSetti
     }
 }
 
+void addInstancesOption(CLI::App& app, std::string& mode) {
+    app.add_option("--instances", mode, "keep meshes that are shown several times once, or repeat them")
+        ->type_name("auto|flatten|share")
+        ->check([](const std::string& text) {
+            const bool isKnown = text == "auto" || text == "flatten" || text == "share";
+            return isKnown ? std::string() : fmt::format("--instances {}: expected auto, flatten or share", text);
+        });
+}
+
+InstanceMode instanceModeFrom(const std::string& mode) {
+    if (mode == "flatten") return InstanceMode::Flatten;
+    return mode == "share" ? InstanceMode::Share : InstanceMode::Auto;
+}
+
 RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed) {
     RenderSettings settings;
     applySettings(settings, scene.settings, scene.path.string() + ": settings");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/gpu/device.h"
+#include "engine/scene/import_options.h"
 #include "engine/scene/scene.h"
 #include "engine/techniques/settings.h"
 
@@ -26,6 +27,9 @@ void addSettingOptions(CLI::App& app, TypedSettings& typed, const std::vector<st
 /// The same for options described elsewhere.
 void addOptions(CLI::App& app, const std::vector<SettingHelp>& helps, TypedSettings& typed, const std::string& group,
                 const std::vector<std::string>& except = {});
+/// Adds --instances, for ImportOptions.
+void addInstancesOption(CLI::App& app, std::string& mode);
+InstanceMode instanceModeFrom(const std::string& mode);
 
 /// Sidecar settings first, then the command line's.
 RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed);

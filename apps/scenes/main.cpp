@@ -6,6 +6,7 @@
 #include "engine/scene/generate/cornell_box.h"
 #include "engine/scene/generate/courtyard.h"
 #include "engine/scene/generate/cube.h"
+#include "engine/scene/generate/forest.h"
 
 namespace {
 
@@ -15,13 +16,16 @@ constexpr const char* kExamples = R"(Examples:
   manylight-scenes cornell-box -o scenes
   manylight-scenes courtyard -o /var/tmp --triangles 260000 --depth 3
   manylight-scenes courtyard -o . --light sun --seed 7
+  manylight-scenes forest -o /var/tmp --triangles 5000000
 
-Each scene becomes DIR/NAME.json, a sidecar with camera and lights, and DIR/NAME/NAME.obj with its .mtl.
+Each scene becomes DIR/NAME.json, a sidecar with camera and lights, and DIR/NAME/NAME.obj with its .mtl; the forest
+DIR/forest.gltf with forest.bin.
 Exit status: 0 success, 1 a file cannot be written, 2 wrong usage.)";
 
 struct Options {
     std::string folder = ".";
     CourtyardParameters courtyard;
+    ForestParameters forest;
     std::string light = "point";
 };
 
@@ -47,6 +51,19 @@ void addCourtyardOptions(CLI::App& command, Options& options) {
         ->option_text("point|sun|sky|area [point]");
 }
 
+void addForestOptions(CLI::App& command, ForestParameters& forest) {
+    command.add_option("--triangles", forest.triangleTarget, "Triangles of all trees, about")
+        ->check(CLI::Range(uint64_t{1000}, uint64_t{1} << 32))
+        ->capture_default_str()
+        ->type_name("N");
+    command.add_option("--tree-triangles", forest.treeTriangles, "Triangles of a tree")
+        ->check(CLI::Range(200u, 1u << 22))
+        ->capture_default_str()
+        ->type_name("N");
+    command.add_option("--kinds", forest.kinds, "Kinds of trees")->check(CLI::Range(1u, 1000u))->capture_default_str();
+    command.add_option("--seed", forest.seed, "Seed of the arrangement")->capture_default_str()->type_name("S");
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app("Writes the scenes that Manylight generates itself.", "manylight-scenes");
@@ -57,6 +74,9 @@ int run(int argc, char** argv) {
         addSceneCommand(app, options, "cornell-box", "The Cornell box, from its published data");
     const CLI::App* cube = addSceneCommand(app, options, "cube", "A unit cube whose material file is missing");
     addCourtyardOptions(*addSceneCommand(app, options, "courtyard", "An arcaded courtyard by lantern light"), options);
+    const CLI::App* forest =
+        addSceneCommand(app, options, "forest", "A wood at night: a few kinds of trees, repeated by instances");
+    addForestOptions(*app.get_subcommand("forest"), options.forest);
 
     try {
         app.parse(argc, argv);
@@ -67,6 +87,12 @@ int run(int argc, char** argv) {
     }
     options.courtyard.light = courtyardLightFrom(options.light);
 
+    if (forest->parsed()) {
+        const ForestFiles files = writeForest(options.forest, options.folder);
+        for (const std::filesystem::path& path : files.written) fmt::print("{}\n", path.string());
+        fmt::print("about {} triangles, {} of them different\n", files.trianglesShown, files.trianglesStored);
+        return 0;
+    }
     const GeneratedScene scene = cornellBox->parsed() ? generateCornellBox()
                                  : cube->parsed()     ? generateCube()
                                                       : generateCourtyard(options.courtyard);

@@ -16,9 +16,11 @@ struct BvhOptions {
 };
 
 /// What rays traverse. Every triangle of the scene is in exactly one leaf; a leaf is a range of `triangleOrder`.
-/// Without triangles it is one node that every ray misses.
+/// Without triangles it is one node that every ray misses. A scene of instances has one tree per mesh, one behind the
+/// other, and the triangles of each stay together.
 struct Bvh {
     std::vector<shared::BvhNode> nodes;   // root first, siblings together
+    std::vector<uint32_t> roots{0};       // node by mesh
     std::vector<uint32_t> triangleOrder;  // leaf order -> Scene::triangles
     uint32_t depth = 0;                   // nodes on the longest way down; < shared::kBvhStackSize
     // Nodes on one way down that have more inner children after the one taken, at most: a traversal in the order of

@@ -97,13 +97,13 @@ void PassContext::dispatchBytes(const ComputeKernel& kernel, uint32_t width, uin
     vkCmdDispatch(commands_, groupsFor(width, kernel.groupWidth), groupsFor(height, kernel.groupHeight), 1);
 }
 
-void PassContext::drawBytes(const DrawKernel& kernel, uint32_t vertexCount, const void* push, size_t bytes) {
+void PassContext::drawBytes(const DrawKernel& kernel, std::span<const DrawRange> ranges, const void* push,
+                            size_t bytes) {
     const gpu::GraphicsKey key = keyOf(kernel);
     if (collected_ != nullptr) {
         collected_->graphics.insert(key);
         return;
     }
-    if (vertexCount == 0) return;
     bind(VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.graphics(key), push, bytes);
     for (const PassUse& use : pass_.uses) {
         if (!isVertexBuffer(use)) continue;
@@ -111,7 +111,8 @@ void PassContext::drawBytes(const DrawKernel& kernel, uint32_t vertexCount, cons
         const VkDeviceSize offset = 0;
         vkCmdBindVertexBuffers(commands_, 0, 1, &vertices, &offset);
     }
-    vkCmdDraw(commands_, vertexCount, 1, 0, 0);
+    for (const DrawRange& range : ranges)
+        if (range.count > 0) vkCmdDraw(commands_, range.count, range.instanceCount, range.first, range.firstInstance);
 }
 
 void PassContext::fill(BufferHandle target, uint32_t word) {

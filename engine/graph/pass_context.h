@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <set>
+#include <span>
 
 namespace manylight {
 
@@ -28,6 +29,14 @@ struct DrawKernel {
     bool overBlend = false;  // ColorBlend puts fragments over what is there, by their alpha, instead of adding them
 };
 
+/// Vertices [first, first + count), once for each instance of [firstInstance, firstInstance + instanceCount).
+struct DrawRange {
+    uint32_t first = 0;
+    uint32_t count = 0;
+    uint32_t firstInstance = 0;
+    uint32_t instanceCount = 1;
+};
+
 /// Pipelines that a frame will need, collected before recording so that they can be compiled side by side.
 struct PipelineKeys {
     std::set<gpu::ComputeKey> compute;
@@ -45,13 +54,23 @@ class PassContext {
     void dispatch(const ComputeKernel& kernel, uint32_t width, uint32_t height = 1) {
         dispatchBytes(kernel, width, height, nullptr, 0);
     }
-    /// Draws `vertexCount` vertices; from the pass's vertex buffer if it declared one.
+    /// Draws one range after the other; from the pass's vertex buffer if it declared one.
+    template <typename Push>
+    void draw(const DrawKernel& kernel, std::span<const DrawRange> ranges, const Push& push) {
+        static_assert(sizeof(Push) <= gpu::kPushConstantBytes);
+        drawBytes(kernel, ranges, &push, sizeof(Push));
+    }
+    void draw(const DrawKernel& kernel, std::span<const DrawRange> ranges) { drawBytes(kernel, ranges, nullptr, 0); }
+    /// Draws the first `vertexCount` vertices.
     template <typename Push>
     void draw(const DrawKernel& kernel, uint32_t vertexCount, const Push& push) {
-        static_assert(sizeof(Push) <= gpu::kPushConstantBytes);
-        drawBytes(kernel, vertexCount, &push, sizeof(Push));
+        const DrawRange range{.count = vertexCount};
+        draw(kernel, std::span(&range, 1), push);
     }
-    void draw(const DrawKernel& kernel, uint32_t vertexCount) { drawBytes(kernel, vertexCount, nullptr, 0); }
+    void draw(const DrawKernel& kernel, uint32_t vertexCount) {
+        const DrawRange range{.count = vertexCount};
+        draw(kernel, std::span(&range, 1));
+    }
     /// Fills a buffer the pass writes by TransferWrite.
     void fill(BufferHandle buffer, uint32_t word);
     /// Copies bytes [offset, offset + size) of `source` (TransferRead) to the start of `target` (TransferWrite).
@@ -71,7 +90,7 @@ class PassContext {
           collected_(collected) {}
 
     void dispatchBytes(const ComputeKernel& kernel, uint32_t width, uint32_t height, const void* push, size_t bytes);
-    void drawBytes(const DrawKernel& kernel, uint32_t vertexCount, const void* push, size_t bytes);
+    void drawBytes(const DrawKernel& kernel, std::span<const DrawRange> ranges, const void* push, size_t bytes);
     gpu::ComputeKey keyOf(const ComputeKernel& kernel) const;
     gpu::GraphicsKey keyOf(const DrawKernel& kernel) const;
     std::vector<gpu::BindingLayout> bindings() const;

@@ -35,7 +35,7 @@ VkClearValue clearValue(const ForwardOptions& options, const ScenePlan& plan) {
 }  // namespace
 
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const VplBuffers& vpls,
-                         const ForwardOptions& options, std::optional<Visibility> prepass, uint32_t triangleCount,
+                         const ForwardOptions& options, std::optional<Visibility> prepass, std::span<const DrawRange> draws,
                          uint32_t width, uint32_t height) {
     const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
     const auto stretches = shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission);
@@ -45,7 +45,7 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
     ForwardResult result;
     result.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     for (size_t i = 0; i < stretches.size(); ++i) {
-        if (i == 1 && !prepass) prepass = addVisibility(graph, scene, plan, triangleCount, width, height);
+        if (i == 1 && !prepass) prepass = addVisibility(graph, scene, plan, draws, width, height);
         shared::ShadePush push = stretches[i];
         const BufferHandle window = addVplWindow(graph, vpls.list, push);
         push.firstGloss = push.firstVpl;
@@ -75,12 +75,12 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
                                    : plan.alphaTested ? "forward_alpha.frag"
                                                       : "forward.frag";
         pass.execute([constants, push, shader, vertexShader = geometryShader(plan), seenOnly,
-                      triangleCount](PassContext& context) {
+                      draws](PassContext& context) {
             context.draw({.vertexShader = vertexShader,
                           .fragmentShader = shader,
                           .specialisation = constants,
                           .depthCompare = seenOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},
-                         triangleCount * 3, push);
+                         draws, push);
         });
     }
     if (plan.environmentMapped && options.showEmission)

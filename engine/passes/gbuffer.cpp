@@ -7,9 +7,9 @@
 
 namespace manylight {
 
-GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
+GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
                    uint32_t width, uint32_t height) {
-    const Visibility visibility = addVisibility(graph, scene, plan, triangleCount, width, height);
+    const Visibility visibility = addVisibility(graph, scene, plan, draws, width, height);
     GBuffer gbuffer;
     gbuffer.depth = visibility.depth;
     gbuffer.position = graph.createImage("G-buffer position", {VK_FORMAT_R32G32B32A32_UINT, width, height});

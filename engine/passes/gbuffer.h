@@ -3,6 +3,8 @@
 
 #include "engine/passes/gpu_scene.h"
 
+#include <span>
+
 namespace manylight {
 
 struct GBuffer {
@@ -12,7 +14,7 @@ struct GBuffer {
     ImageHandle depth;     // D32_SFLOAT, reversed: 1 at the near plane, 0 at infinity
 };
 
-GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
+GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
                    uint32_t width, uint32_t height);
 
 /// Declares that a compute pass reads it.

@@ -41,7 +41,7 @@ class SceneUploader {
     gpu::Uploader uploader_;
 };
 
-void measureSurfaces(GpuScene& gpuScene, const Scene& scene) {
+void measureSurfaces(GpuScene& gpuScene, const Scene& scene, const InstanceList& list) {
     std::vector<double> albedos;
     for (const Material& material : scene.materials) {
         glm::dvec3 albedo = material.albedo;
@@ -51,25 +51,23 @@ void measureSurfaces(GpuScene& gpuScene, const Scene& scene) {
         albedos.push_back(std::min(std::max({albedo.x, albedo.y, albedo.z}), 1.0));
     }
     double albedoArea = 0.0;
-    for (const Triangle& triangle : scene.triangles) {
-        const glm::dvec3 p0 = scene.vertices[triangle.vertex[0]].position;
-        const glm::dvec3 p1 = scene.vertices[triangle.vertex[1]].position;
-        const glm::dvec3 p2 = scene.vertices[triangle.vertex[2]].position;
-        const double area = 0.5 * glm::length(glm::cross(p1 - p0, p2 - p0));
+    forEachTriangle(scene, list, [&](uint32_t, const Triangle& triangle, const std::array<glm::vec3, 3>& corners) {
+        const glm::dvec3 p0 = corners[0];
+        const double area = 0.5 * glm::length(glm::cross(glm::dvec3(corners[1]) - p0, glm::dvec3(corners[2]) - p0));
         gpuScene.surfaceArea += area;
         albedoArea += area * albedos[triangle.material];
-    }
+    });
     gpuScene.meanAlbedo = gpuScene.surfaceArea > 0.0 ? static_cast<float>(albedoArea / gpuScene.surfaceArea) : 0.0f;
 }
 
 /// From the scene's order of triangles to the BVH's, and to the textures as they were packed.
-void locateEmitters(EmitterTable& table, const Scene& scene, const PackedMaterials& packed, const Bvh& bvh) {
-    std::vector<uint32_t> placeOf(bvh.triangleOrder.size());
-    for (uint32_t place = 0; place < placeOf.size(); ++place) placeOf[bvh.triangleOrder[place]] = place;
+void locateEmitters(EmitterTable& table, const Scene& scene, const PackedMaterials& packed,
+                    const TriangleNumbers& numbers) {
     for (shared::Emitter& emitter : table.emitters) {
         if (emitter.kind != shared::kEmitterTriangle) continue;
-        emitter.emissionTexture = packed.materials[scene.triangles[emitter.triangle].material].emissionTexture;
-        emitter.triangle = placeOf[emitter.triangle];
+        emitter.triangle = numbers.numberOfFlattened(emitter.triangle);
+        const Triangle& triangle = scene.triangles[numbers.sceneTriangle(emitter.triangle)];
+        emitter.emissionTexture = packed.materials[triangle.material].emissionTexture;
     }
 }
 
@@ -84,6 +82,35 @@ void uploadEmitters(GpuScene& gpuScene, const EnvironmentTable& environment, con
     gpuScene.environmentTexels =
         uploader.upload("environment texels", environment.texels, kTexel, VK_FORMAT_R32G32B32A32_SFLOAT);
     gpuScene.environmentCells = uploader.upload("environment cells", environment.cells, kTexel, kWords);
+}
+
+/// One draw per mesh, which shows all its instances.
+std::vector<DrawRange> drawsOf(const InstanceList& list) {
+    std::vector<DrawRange> draws;
+    for (uint32_t i = 0; i < list.instances.size();) {
+        const uint32_t first = i;
+        const uint32_t mesh = list.instances[i].mesh;
+        while (i < list.instances.size() && list.instances[i].mesh == mesh) ++i;
+        draws.push_back({3 * list.meshes[mesh].firstTriangle, 3 * list.meshes[mesh].triangleCount, first, i - first});
+    }
+    return draws;
+}
+
+/// The upper level first, with room for what it may become when instances move; then the meshes' nodes.
+struct Levels {
+    std::vector<shared::BvhNode> nodes;
+    std::vector<shared::Instance> instances{{}};  // none: one record that nothing reads
+    uint32_t depth = 0;
+};
+
+Levels makeLevels(const Scene& scene, const ScenePlan& plan, const InstanceList& list, const Bvh& bvh) {
+    if (!plan.instanced) return {.nodes = bvh.nodes, .instances = {{}}, .depth = bvh.depth};
+    TopLevel top = buildTopLevel(scene, list);
+    Levels levels{.nodes = top.nodes, .instances = {}, .depth = top.depth + bvh.depth};
+    levels.nodes.resize(list.instances.size());
+    levels.instances = packInstances(list, bvh, top, static_cast<uint32_t>(levels.nodes.size()));
+    appendNodes(levels.nodes, bvh.nodes, 0);
+    return levels;
 }
 
 }  // namespace
@@ -109,19 +136,23 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     const PackedMaterials packed = packMaterials(scene, plan);
 
     GpuScene gpuScene;
-    gpuScene.triangleCount = static_cast<uint32_t>(scene.triangles.size());
-    gpuScene.triangleOrder = bvh.triangleOrder;
+    const InstanceList list = listInstances(scene);
+    gpuScene.triangleCount = list.triangleCount();
+    gpuScene.instanceCount = plan.instanced ? static_cast<uint32_t>(list.instances.size()) : 0;
+    gpuScene.draws = drawsOf(list);
+    gpuScene.numbers = TriangleNumbers(list, bvh.triangleOrder);
     gpuScene.sphere = boundingSphere(scene);
     const EnvironmentTable environment = buildEnvironmentTable(scene);
     gpuScene.environmentSize = environment.size;
     gpuScene.environmentCellSide = environment.cellSide;
     gpuScene.environmentTurn = environment.turn;
     gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius, environment);
-    locateEmitters(gpuScene.emitterTable, scene, packed, bvh);
-    measureSurfaces(gpuScene, scene);
+    locateEmitters(gpuScene.emitterTable, scene, packed, gpuScene.numbers);
+    measureSurfaces(gpuScene, scene, list);
+    const Levels levels = makeLevels(scene, plan, list, bvh);
 
     SceneUploader uploader(device);
-    gpuScene.bvhNodes = uploader.upload("BVH nodes", bvh.nodes, kTexel, VK_FORMAT_R32G32B32A32_UINT);
+    gpuScene.bvhNodes = uploader.upload("BVH nodes", levels.nodes, kTexel, VK_FORMAT_R32G32B32A32_UINT);
     std::vector<glm::vec4> corners = packTriangles(scene, bvh);
     corners.resize(std::max<size_t>(corners.size(), 3));  // rays that meet nothing look at the first triangle
     gpuScene.triangles =
@@ -133,13 +164,14 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     gpuScene.textureInfos = uploader.upload("texture infos", packed.textureInfos, kStorage);
     gpuScene.texels = uploader.upload("texels", packed.texels, kTexel, VK_FORMAT_R8G8B8A8_UNORM);
     uploadEmitters(gpuScene, environment, plan, uploader);
+    gpuScene.instances = uploader.upload("instances", levels.instances, kTexel, VK_FORMAT_R32G32B32A32_UINT);
     uploader.finish();
 
-    gpuScene.bvhNodeCount = bvh.nodes.size();
-    gpuScene.bvhDepth = bvh.depth;
+    gpuScene.bvhNodeCount = levels.nodes.size();
+    gpuScene.bvhDepth = levels.depth;
     gpuScene.geometryBytes = gpuScene.bvhNodes.buffer.size() + gpuScene.triangles.buffer.size() +
                              gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size() +
-                             gpuScene.triangleColours.buffer.size();
+                             gpuScene.triangleColours.buffer.size() + gpuScene.instances.buffer.size();
     gpuScene.totalBytes = gpuScene.geometryBytes + gpuScene.materials.buffer.size() +
                           gpuScene.textureInfos.buffer.size() + gpuScene.texels.buffer.size() +
                           gpuScene.emitters.buffer.size() + gpuScene.emitterChoices.buffer.size() +
@@ -173,6 +205,8 @@ Json GpuScene::report() const {
         {"geometry_bytes", geometryBytes},
         {"geometry_bytes_per_triangle", triangleCount > 0 ? static_cast<double>(geometryBytes) / triangleCount : 0.0},
         {"scene_bytes", totalBytes},
+        {"triangles", triangleCount},
+        {"instances", instanceCount},
         {"bvh_nodes", bvhNodeCount},
         {"bvh_depth", bvhDepth}};
 }
@@ -191,7 +225,8 @@ SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& fra
             .emitters = importPhysical(graph, "emitters", scene.emitters),
             .emitterChoices = importPhysical(graph, "emitter choices", scene.emitterChoices),
             .environmentTexels = importPhysical(graph, "environment texels", scene.environmentTexels),
-            .environmentCells = importPhysical(graph, "environment cells", scene.environmentCells)};
+            .environmentCells = importPhysical(graph, "environment cells", scene.environmentCells),
+            .instances = importPhysical(graph, "instances", scene.instances)};
 }
 
 void readFrame(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {
@@ -211,6 +246,7 @@ void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kin
         .read(scene.materials, storage, shared::kBindingMaterials)
         .read(scene.textureInfos, storage, shared::kBindingTextureInfos)
         .read(scene.texels, texel, shared::kBindingTexels)
+        .read(scene.instances, texel, shared::kBindingInstances)
         .read(scene.triangles, compute ? Access::ComputeTexelRead : Access::VertexAndTexels, shared::kBindingTriangles);
 }
 

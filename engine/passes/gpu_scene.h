@@ -1,7 +1,7 @@
 // The scene on the device: what ScenePlan says it needs, and nothing else.
 #pragma once
 
-#include "engine/accel/bvh.h"
+#include "engine/accel/top_level.h"
 #include "engine/core/report.h"
 #include "engine/graph/pass_context.h"
 #include "engine/scene/emitters.h"
@@ -25,9 +25,12 @@ struct GpuScene {
     glm::uvec2 environmentSize{0};  // of EnvironmentTable
     uint32_t environmentCellSide = 1;
     float environmentTurn = 0.0f;
+    PhysicalBuffer instances;  // if there are two levels
 
-    uint32_t triangleCount = 0;
-    std::vector<uint32_t> triangleOrder;  // leaf order -> Scene::triangles
+    uint32_t triangleCount = 0;    // with all repeats
+    uint32_t instanceCount = 0;    // 0: every triangle is in the scene's frame
+    TriangleNumbers numbers;       // of the triangles that the device talks of
+    std::vector<DrawRange> draws;  // all triangles, for rasterisation
     EmitterTable emitterTable;
     BoundingSphere sphere;
     double surfaceArea = 0.0;    // of all triangles, normalised frame
@@ -61,6 +64,7 @@ struct SceneHandles {
     BufferHandle emitterChoices;
     BufferHandle environmentTexels;
     BufferHandle environmentCells;
+    BufferHandle instances;
 };
 SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status);
 

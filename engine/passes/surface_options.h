@@ -8,8 +8,9 @@ namespace manylight {
 
 /// Constants 0 to 9. What a pass appends is numbered from 10.
 inline gpu::Specialisation surfaceOptions(const ScenePlan& plan) {
+    const uint32_t instances = !plan.instanced ? 0u : plan.stretched ? 2u : 1u;
     return {plan.textured,      plan.shadingNormals,   plan.glossy, plan.alphaTested, plan.normalMapped,
-            plan.vertexColours, plan.emissionTextured, plan.uvSets, plan.culled,      0u};
+            plan.vertexColours, plan.emissionTextured, plan.uvSets, plan.culled,      instances};
 }
 
 /// Constants 20 and 21, after the pass's own: see shaders/lib/environment.glsl and emitters.glsl.

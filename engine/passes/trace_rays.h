@@ -14,7 +14,8 @@ struct RayBuffers {
 /// Bytes of the answer to one ray: a uint flag for any hit, a shared::RayHit for the closest.
 uint32_t answerBytes(RayKind kind);
 
-/// Needs the BVH, triangles and status of `scene`, nothing else.
-void addTraceRays(FrameGraph& graph, SceneHandles& scene, RayBuffers& rays, uint32_t rayCount, RayKind kind);
+/// Needs the BVH, triangles, instances and status of `scene`, nothing else.
+void addTraceRays(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, RayBuffers& rays, uint32_t rayCount,
+                  RayKind kind);
 
 }  // namespace manylight

@@ -4,9 +4,12 @@
 
 namespace manylight {
 
-const char* geometryShader(const ScenePlan& plan) { return plan.culled ? "geometry_culled.vert" : "geometry.vert"; }
+const char* geometryShader(const ScenePlan& plan) { 
+    if (plan.instanced) return "geometry_instanced.vert";
+    return plan.culled ? "geometry_culled.vert" : "geometry.vert";
+}
 
-Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
+Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
                          uint32_t width, uint32_t height) {
     constexpr VkClearValue kFarAway{.depthStencil = {0.0f, 0}};
     constexpr VkClearValue kNothing{.color = {.uint32 = {0, 0, 0, 0}}};
@@ -14,7 +17,7 @@ Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const Sce
     visibility.triangle = graph.createImage("visibility", {VK_FORMAT_R32_UINT, width, height});
     visibility.depth = graph.createImage("depth", {VK_FORMAT_D32_SFLOAT, width, height});
     PassBuilder pass = graph.addPass("visibility");
-    if (plan.alphaTested || plan.culled)
+    if (plan.alphaTested || plan.culled || plan.instanced)
         readSurfaces(pass, scene, PipelineKind::Graphics);
     else {
         readFrame(pass, scene, PipelineKind::Graphics);
@@ -22,13 +25,13 @@ Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const Sce
     }
     visibility.triangle = pass.write(visibility.triangle, Access::ColorWrite, kNothing);
     visibility.depth = pass.write(visibility.depth, Access::DepthWrite, kFarAway);
-    pass.execute([triangleCount, vertexShader = geometryShader(plan), isTested = plan.alphaTested,
+    pass.execute([draws, vertexShader = geometryShader(plan), isTested = plan.alphaTested,
                   options = surfaceOptions(plan)](PassContext& context) {
         context.draw({.vertexShader = vertexShader,
                       .fragmentShader = isTested ? "visibility_alpha.frag" : "visibility.frag",
                       .specialisation = options,
                       .depthCompare = VK_COMPARE_OP_GREATER},
-                     triangleCount * 3);
+                     draws);
     });
     return visibility;
 }

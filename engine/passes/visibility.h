@@ -3,6 +3,8 @@
 
 #include "engine/passes/gpu_scene.h"
 
+#include <span>
+
 namespace manylight {
 
 struct Visibility {
@@ -11,7 +13,7 @@ struct Visibility {
 };
 
 /// Of triangles at equal depth the one drawn first is seen.
-Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, uint32_t triangleCount,
+Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
                          uint32_t width, uint32_t height);
 
 /// The vertex shader of every pass that draws the scene.

@@ -1,3 +1,4 @@
+#include "engine/scene/instances.h"
 #include "engine/scene/normalise_parts.h"
 
 #include "shaders/shared/constants.h"
@@ -69,7 +70,9 @@ void reportMissingLight(Scene& scene) {
 
 void fillImportReport(Scene& scene, size_t trianglesRead) {
     scene.importReport = Json{{"trianglesRead", trianglesRead},
-                              {"triangles", scene.triangles.size()},
+                              {"triangles", shownTriangles(scene)},
+                              {"trianglesStored", scene.triangles.size()},
+                              {"instances", scene.instances.size()},
                               {"vertices", scene.vertices.size()},
                               {"materials", scene.materials.size()},
                               {"textures", scene.textures.size()},

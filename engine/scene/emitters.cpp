@@ -1,6 +1,7 @@
 #include "engine/scene/emitters.h"
 
 #include "engine/scene/alias_table.h"
+#include "engine/scene/instances.h"
 #include "engine/scene/texture_mean.h"
 #include "shaders/shared/constants.h"
 #include "shaders/shared/material.h"
@@ -72,19 +73,18 @@ Candidate fromMap(const EnvironmentTable& environment, double sceneRadius) {
     return {emitter, environment.integral * kPi * sceneRadius * sceneRadius, true};
 }
 
-Candidate fromTriangle(const Scene& scene, uint32_t index, double emission) {
-    const Triangle& triangle = scene.triangles[index];
-    const glm::vec3 p0 = scene.vertices[triangle.vertex[0]].position;
+Candidate fromTriangle(uint32_t number, const std::array<glm::vec3, 3>& corners, const glm::vec3& radiance,
+                       double emission) {
     Emitter emitter{};
     emitter.kind = shared::kEmitterTriangle;
     emitter.emissionTexture = shared::kNoTexture;
-    emitter.position = p0;
-    emitter.edge1 = scene.vertices[triangle.vertex[1]].position - p0;
-    emitter.edge2 = scene.vertices[triangle.vertex[2]].position - p0;
-    emitter.emission = scene.materials[triangle.material].emittedRadiance;
+    emitter.position = corners[0];
+    emitter.edge1 = corners[1] - corners[0];
+    emitter.edge2 = corners[2] - corners[0];
+    emitter.emission = radiance;
     const double area = 0.5 * glm::length(glm::cross(glm::dvec3(emitter.edge1), glm::dvec3(emitter.edge2)));
     emitter.area = static_cast<float>(area);
-    emitter.triangle = index;
+    emitter.triangle = number;
     return {emitter, emission * area * kPi, true};
 }
 
@@ -134,9 +134,13 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius, const Envi
     }
     std::vector<double> emissions;
     for (const Material& material : scene.materials) emissions.push_back(meanEmission(scene, material));
-    for (uint32_t i = 0; i < scene.triangles.size(); ++i)
-        if (const double emission = emissions[scene.triangles[i].material]; emission > 0.0)
-            candidates.push_back(fromTriangle(scene, i, emission));
+    if (std::ranges::any_of(emissions, [](double emission) { return emission > 0.0; }))
+        forEachTriangle(scene, listInstances(scene),
+                        [&](uint32_t number, const Triangle& triangle, const std::array<glm::vec3, 3>& corners) {
+                            const double emission = emissions[triangle.material];
+                            const glm::vec3& radiance = scene.materials[triangle.material].emittedRadiance;
+                            if (emission > 0.0) candidates.push_back(fromTriangle(number, corners, radiance, emission));
+                        });
 
     std::erase_if(candidates, [](const Candidate& candidate) { return !(candidate.power > 0.0); });
     std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.isArea; });

@@ -47,8 +47,9 @@ void checkNothingLost(const GltfFile& gltf) {
 
 void dropUnusedDefaultMaterial(RawScene& scene) {
     const auto last = static_cast<uint32_t>(scene.materials.size() - 1);
-    const bool isUsed = std::any_of(scene.triangles.begin(), scene.triangles.end(),
-                                    [&](const RawTriangle& triangle) { return triangle.material == last; });
+    const auto usesIt = [&](const RawTriangle& triangle) { return triangle.material == last; };
+    bool isUsed = std::ranges::any_of(scene.triangles, usesIt);
+    for (const RawMesh& mesh : scene.meshes) isUsed = isUsed || std::ranges::any_of(mesh.triangles, usesIt);
     if (!isUsed) scene.materials.pop_back();
 }
 
@@ -67,7 +68,7 @@ tinygltf::Model parseModel(const GltfContainer& container) {
 
 }  // namespace
 
-RawScene readGltf(const std::filesystem::path& path) {
+RawScene readGltf(const std::filesystem::path& path, const ImportOptions& options) {
     RawScene scene;
     scene.name = path.stem().string();
     scene.path = path;
@@ -80,7 +81,7 @@ RawScene readGltf(const std::filesystem::path& path) {
     if (gltf.container.json.contains("bufferViews")) gltf.viewCount = gltf.container.json["bufferViews"].size();
     checkNothingLost(gltf);
     addGltfMaterials(gltf, scene);
-    addGltfNodes(gltf, scene);
+    addGltfNodes(gltf, options, scene);
     dropUnusedDefaultMaterial(scene);
     return scene;
 }

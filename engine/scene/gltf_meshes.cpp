@@ -33,13 +33,13 @@ std::array<size_t, 3> cornersOf(int mode, size_t t) {
 class PrimitiveReader {
   public:
     PrimitiveReader(const GltfFile& gltf, const tinygltf::Primitive& primitive, const glm::dmat4& sceneFromNode,
-                    std::string place, RawScene& scene)
+                    bool turnsWinding, std::string place, RawScene& scene)
         : gltf_(gltf),
           primitive_(primitive),
           sceneFromNode_(sceneFromNode),
           place_(std::move(place)),
           scene_(scene),
-          isMirrored_(glm::determinant(glm::dmat3(sceneFromNode)) < 0.0) {}
+          turnsWinding_(turnsWinding) {}
 
     void read() {
         const int mode = primitive_.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive_.mode;
@@ -58,7 +58,7 @@ class PrimitiveReader {
   private:
     void addVertices(const std::vector<double>& positions) {
         const glm::dmat3 linear(sceneFromNode_);
-        const glm::dmat3 normalFromNode = normalMatrix(linear, isMirrored_);
+        const glm::dmat3 normalFromNode = normalMatrix(linear, glm::determinant(linear) < 0.0);
         const GltfUvSets sets = gltfUvSets(gltf_, primitive_.material);
         const auto normals = readAttribute(gltf_, primitive_.attributes, "NORMAL");
         const auto uvs = readAttribute(gltf_, primitive_.attributes, fmt::format("TEXCOORD_{}", sets[0]));
@@ -102,7 +102,7 @@ class PrimitiveReader {
             const std::array<size_t, 3> corners = cornersOf(mode, t);
             bool isInside = true;
             for (size_t i = 0; i < 3; ++i) {
-                const uint32_t index = indices[corners[isMirrored_ ? 2 - i : i]];
+                const uint32_t index = indices[corners[turnsWinding_ ? 2 - i : i]];
                 isInside = isInside && index < vertexCount;
                 triangle.vertex[i] = static_cast<uint32_t>(firstVertex + index);
             }
@@ -118,16 +118,16 @@ class PrimitiveReader {
     const glm::dmat4& sceneFromNode_;
     std::string place_;
     RawScene& scene_;
-    bool isMirrored_;
+    bool turnsWinding_;
 };
 
 }  // namespace
 
-void addGltfMesh(const GltfFile& gltf, int mesh, const glm::dmat4& sceneFromNode, RawScene& scene) {
+void addGltfMesh(const GltfFile& gltf, int mesh, const glm::dmat4& sceneFromNode, bool turnsWinding, RawScene& scene) {
     const tinygltf::Mesh& source = gltf.model.meshes.at(static_cast<size_t>(mesh));
     for (size_t i = 0; i < source.primitives.size(); ++i)
-        PrimitiveReader(gltf, source.primitives[i], sceneFromNode, fmt::format("meshes[{}].primitives[{}]", mesh, i),
-                        scene)
+        PrimitiveReader(gltf, source.primitives[i], sceneFromNode, turnsWinding,
+                        fmt::format("meshes[{}].primitives[{}]", mesh, i), scene)
             .read();
 }
 

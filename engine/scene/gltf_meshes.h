@@ -6,7 +6,8 @@
 
 namespace manylight {
 
-/// Appends one instance of a mesh. A transform that mirrors turns the winding round, so that the front stays in front.
-void addGltfMesh(const GltfFile& gltf, int mesh, const glm::dmat4& sceneFromNode, RawScene& scene);
+/// Appends a mesh in one place. `turnsWinding`: the corners the other way round, so that the front stays in front where a
+/// transform mirrors.
+void addGltfMesh(const GltfFile& gltf, int mesh, const glm::dmat4& sceneFromNode, bool turnsWinding, RawScene& scene);
 
 }  // namespace manylight

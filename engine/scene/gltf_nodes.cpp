@@ -1,7 +1,7 @@
 #include "engine/scene/gltf_nodes.h"
 
 #include "engine/core/error.h"
-#include "engine/scene/gltf_meshes.h"
+#include "engine/scene/gltf_instances.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -106,7 +106,8 @@ class NodeWalker {
     NodeWalker(const GltfFile& gltf, RawScene& scene)
         : gltf_(gltf), scene_(scene), isVisited_(gltf.model.nodes.size()) {}
 
-    void walk() {
+    /// Adds cameras and lights; returns the meshes that are shown.
+    std::vector<GltfMeshUse> walk() {
         // A stack of our own: the depth of the hierarchy is the file's choice.
         for (const int root : roots()) {
             stack_.push_back({root, glm::dmat4(1.0)});
@@ -118,6 +119,7 @@ class NodeWalker {
         }
         const auto unreached = std::count(isVisited_.begin(), isVisited_.end(), false);
         scene_.warnings.add("glTF nodes outside the default scene", {}, static_cast<uint64_t>(unreached));
+        return std::move(uses_);
     }
 
   private:
@@ -160,11 +162,12 @@ class NodeWalker {
         drawnPrimitives_ += instances.size() * gltf_.model.meshes.at(static_cast<size_t>(node.mesh)).primitives.size();
         checkGltfAmount(gltf_, drawnPrimitives_, place, "drawn primitives");
         for (const glm::dmat4& nodeFromInstance : instances)
-            addGltfMesh(gltf_, node.mesh, sceneFromNode * nodeFromInstance, scene_);
+            uses_.push_back({node.mesh, sceneFromNode * nodeFromInstance, place});
     }
 
     const GltfFile& gltf_;
     RawScene& scene_;
+    std::vector<GltfMeshUse> uses_;
     size_t drawnPrimitives_ = 0;
     std::vector<bool> isVisited_;
     std::vector<Pending> stack_;
@@ -172,8 +175,8 @@ class NodeWalker {
 
 }  // namespace
 
-void addGltfNodes(const GltfFile& gltf, RawScene& scene) {
-    NodeWalker(gltf, scene).walk();
+void addGltfNodes(const GltfFile& gltf, const ImportOptions& options, RawScene& scene) {
+    addGltfMeshUses(gltf, NodeWalker(gltf, scene).walk(), options, scene);
     std::vector<bool> isUsed(gltf.model.meshes.size());
     for (const tinygltf::Node& node : gltf.model.nodes)
         if (node.mesh >= 0) isUsed[static_cast<size_t>(node.mesh)] = true;

@@ -21,23 +21,23 @@ SceneFileKind sceneFileKind(const std::filesystem::path& path) {
     return SceneFileKind::Unknown;
 }
 
-RawScene readSceneFile(const std::filesystem::path& path) {
+RawScene readSceneFile(const std::filesystem::path& path, const ImportOptions& options) {
     switch (sceneFileKind(path)) {
         case SceneFileKind::Obj:
             return readObj(path);
         case SceneFileKind::Gltf:
-            return readGltf(path);
+            return readGltf(path, options);
         case SceneFileKind::Sidecar:
-            return readSidecar(path);
+            return readSidecar(path, options);
         case SceneFileKind::Unknown:
             break;
     }
     fail("{}: unknown kind of scene, expected .obj, .gltf, .glb or a .json sidecar", path.string());
 }
 
-Scene importScene(const std::filesystem::path& path) {
+Scene importScene(const std::filesystem::path& path, const ImportOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    Scene scene = normalise(readSceneFile(path));
+    Scene scene = normalise(readSceneFile(path, options));
     scene.importReport["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return scene;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/core/check.h"
 #include "engine/scene/first_seen_index.h"
+#include "engine/scene/instances.h"
 #include "engine/scene/normalise_parts.h"
 
 #include <algorithm>
@@ -15,10 +16,11 @@ namespace {
 // Beyond this, differences and squares of coordinates leave the range of double.
 constexpr double kLargestCoordinate = 1e150;
 constexpr int kMostFrameRounds = 8;
+constexpr float kSmallestInstance = 0x1p-21f;
 
 using Positions = std::vector<glm::vec3>;  // one per raw vertex, in the normalised frame
 
-struct Bounds {
+struct RawBounds {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
@@ -67,37 +69,45 @@ bool hasZeroArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) 
     return glm::cross(withoutExponent(b - a), withoutExponent(c - a)) == glm::dvec3(0.0);
 }
 
-std::string placeOf(const RawScene& raw, const RawTriangle& triangle) {
-    return fmt::format("{} {}", raw.originLabel, triangle.origin);
+/// The triangles of the scene itself, or of a mesh that instances show.
+struct Part {
+    std::vector<RawVertex>& vertices;
+    std::vector<RawTriangle>& triangles;
+    const std::string& originLabel;
+};
+
+std::string placeOf(const Part& part, const RawTriangle& triangle) {
+    return fmt::format("{} {}", part.originLabel, triangle.origin);
 }
 
 /// Returns why a triangle cannot be used, or nullptr.
-const char* faultOf(const RawScene& raw, const RawTriangle& triangle) {
+const char* faultOf(const Part& part, const RawTriangle& triangle) {
     for (const uint32_t v : triangle.vertex)
-        if (v >= raw.vertices.size()) return "triangles dropped: vertex index out of range";
-    const glm::dvec3& a = raw.vertices[triangle.vertex[0]].position;
-    const glm::dvec3& b = raw.vertices[triangle.vertex[1]].position;
-    const glm::dvec3& c = raw.vertices[triangle.vertex[2]].position;
+        if (v >= part.vertices.size()) return "triangles dropped: vertex index out of range";
+    const glm::dvec3& a = part.vertices[triangle.vertex[0]].position;
+    const glm::dvec3& b = part.vertices[triangle.vertex[1]].position;
+    const glm::dvec3& c = part.vertices[triangle.vertex[2]].position;
     if (!isUsable(a) || !isUsable(b) || !isUsable(c)) return "triangles dropped: vertex not finite or beyond 1e150";
     if (hasZeroArea(a, b, c)) return "triangles dropped: zero area";
     return nullptr;
 }
 
 template <typename FaultOf>
-size_t dropFaultyTriangles(RawScene& raw, Warnings& warnings, const FaultOf& fault) {
-    return std::erase_if(raw.triangles, [&](const RawTriangle& triangle) {
+size_t dropFaultyTriangles(const Part& part, Warnings& warnings, const FaultOf& fault) {
+    return std::erase_if(part.triangles, [&](const RawTriangle& triangle) {
         const char* const why = fault(triangle);
-        if (why) warnings.add(why, warnings.count(why) < Warnings::kMaxExamples ? placeOf(raw, triangle) : "");
+        if (why) warnings.add(why, warnings.count(why) < Warnings::kMaxExamples ? placeOf(part, triangle) : "");
         return why != nullptr;
     });
 }
 
-SceneFrame frameAround(const RawScene& raw) {
+/// Round the part, and round `others` if there are any.
+SceneFrame frameAround(const Part& part, const RawBounds& others) {
     SceneFrame frame;
-    if (raw.triangles.empty()) return frame;
-    Bounds bounds;
-    for (const RawTriangle& triangle : raw.triangles)
-        for (const uint32_t v : triangle.vertex) bounds.include(raw.vertices[v].position);
+    RawBounds bounds = others;
+    for (const RawTriangle& triangle : part.triangles)
+        for (const uint32_t v : triangle.vertex) bounds.include(part.vertices[v].position);
+    if (bounds.low.x > bounds.high.x) return frame;
     const glm::dvec3 extent = bounds.high - bounds.low;
     frame.center = bounds.low + 0.5 * extent;
     frame.exponent = std::ilogb(std::hypot(extent.x, extent.y, extent.z));
@@ -118,27 +128,32 @@ void addRectLights(RawScene& raw) {
     }
 }
 
-Positions normalisedPositions(const RawScene& raw, const SceneFrame& frame) {
+Positions normalisedPositions(const Part& part, const SceneFrame& frame) {
     Positions positions;
-    positions.reserve(raw.vertices.size());
+    positions.reserve(part.vertices.size());
     // Adding zero turns -0 into +0, so that equal vertices have equal bits.
-    for (const RawVertex& vertex : raw.vertices) positions.push_back(normalisedPoint(frame, vertex.position) + 0.0f);
+    for (const RawVertex& vertex : part.vertices) positions.push_back(normalisedPoint(frame, vertex.position) + 0.0f);
     return positions;
 }
+
+struct Settled {
+    SceneFrame frame;
+    Positions positions;
+};
 
 /// Finds the frame and the positions in it. Triangles that collapse there are dropped, which can shrink the bounds:
 /// then it looks again. (The rounded positions go through memory: GCC 12 at -O2 takes a vector's way from double to
 /// float and back for no change when both steps meet in one expression.)
-Positions settleFrame(RawScene& raw, Scene& scene) {
+Settled settleFrame(const Part& part, const RawBounds& others, Warnings& warnings) {
     for (int round = 0;; ++round) {
-        scene.frame = frameAround(raw);
-        Positions positions = normalisedPositions(raw, scene.frame);
-        const size_t dropped = dropFaultyTriangles(raw, scene.warnings, [&](const RawTriangle& triangle) {
+        const SceneFrame frame = frameAround(part, others);
+        Positions positions = normalisedPositions(part, frame);
+        const size_t dropped = dropFaultyTriangles(part, warnings, [&](const RawTriangle& triangle) {
             const auto corner = [&](size_t i) { return glm::dvec3(positions[triangle.vertex[i]]); };
             return hasZeroArea(corner(0), corner(1), corner(2)) ? "triangles dropped: zero area in single precision"
                                                                 : nullptr;
         });
-        if (dropped == 0 || round == kMostFrameRounds) return positions;
+        if (dropped == 0 || round == kMostFrameRounds) return {frame, std::move(positions)};
     }
 }
 
@@ -167,34 +182,110 @@ glm::vec4 repairedColour(const glm::dvec4& raw, Warnings& warnings) {
     return glm::vec4(std::isnan(raw.x + raw.y + raw.z + raw.w) ? glm::dvec4(1.0) : inRange) + 0.0f;
 }
 
-/// Converts the vertices that triangles use, welds equal ones and fills Scene::vertices and Scene::triangles.
-void convertTriangles(const RawScene& raw, const Positions& positions, Scene& scene) {
+/// Converts the vertices that triangles use, welds equal ones and adds them to Scene::vertices and Scene::triangles.
+void convertTriangles(const Part& part, const Positions& positions, size_t materialCount, Scene& scene) {
     constexpr uint32_t kUnseen = UINT32_MAX;
-    std::vector<uint32_t> welded(raw.vertices.size(), kUnseen);
-    FirstSeenIndex<WeldKey> vertices(std::min(raw.vertices.size(), 3 * raw.triangles.size()));
-    scene.triangles.reserve(raw.triangles.size());
-    for (const RawTriangle& source : raw.triangles) {
-        MANYLIGHT_CHECK(source.material < raw.materials.size(), "{}", placeOf(raw, source));
+    const auto firstVertex = static_cast<uint32_t>(scene.vertices.size());
+    std::vector<uint32_t> welded(part.vertices.size(), kUnseen);
+    FirstSeenIndex<WeldKey> vertices(std::min(part.vertices.size(), 3 * part.triangles.size()));
+    scene.triangles.reserve(scene.triangles.size() + part.triangles.size());
+    for (const RawTriangle& source : part.triangles) {
+        MANYLIGHT_CHECK(source.material < materialCount, "{}", placeOf(part, source));
         Triangle triangle{.vertex = {}, .material = source.material};
         for (size_t corner = 0; corner < 3; ++corner) {
             uint32_t& index = welded[source.vertex[corner]];
             if (index == kUnseen) {
-                const RawVertex& vertex = raw.vertices[source.vertex[corner]];
+                const RawVertex& vertex = part.vertices[source.vertex[corner]];
                 index =
                     vertices.indexOf({{positions[source.vertex[corner]], repairedNormal(vertex, scene.warnings) + 0.0f,
                                        repairedUv(vertex.uv, scene.warnings), repairedUv(vertex.uv1, scene.warnings),
                                        repairedColour(vertex.colour, scene.warnings)}});
             }
-            triangle.vertex[corner] = index;
+            triangle.vertex[corner] = firstVertex + index;
         }
         scene.triangles.push_back(triangle);
     }
-    scene.vertices.reserve(vertices.keys().size());
+    scene.vertices.reserve(scene.vertices.size() + vertices.keys().size());
     for (const WeldKey& key : vertices.keys()) scene.vertices.push_back(key.vertex);
+}
+
+/// The shared meshes, each in a frame of its own, in which its diagonal is in [1, 2) too.
+std::vector<SceneFrame> convertMeshes(RawScene& raw, Scene& scene) {
+    std::vector<SceneFrame> frames;
+    for (RawMesh& mesh : raw.meshes) {
+        const Part part{mesh.vertices, mesh.triangles, raw.originLabel};
+        dropFaultyTriangles(part, scene.warnings, [&](const RawTriangle& triangle) { return faultOf(part, triangle); });
+        const Settled settled = settleFrame(part, {}, scene.warnings);
+        const auto first = static_cast<uint32_t>(scene.triangles.size());
+        convertTriangles(part, settled.positions, raw.materials.size(), scene);
+        scene.meshes.push_back({first, static_cast<uint32_t>(scene.triangles.size()) - first});
+        frames.push_back(settled.frame);
+    }
+    std::erase_if(raw.instances,
+                  [&](const RawInstance& instance) { return scene.meshes[instance.mesh].triangleCount == 0; });
+    return frames;
+}
+
+glm::dvec3 filePoint(const SceneFrame& frame, const glm::vec3& point) {
+    return frame.center + std::ldexp(1.0, frame.exponent) * glm::dvec3(point);
+}
+
+RawBounds boundsOfInstances(const RawScene& raw, const Scene& scene, const std::vector<SceneFrame>& frames) {
+    RawBounds bounds;
+    for (const RawInstance& instance : raw.instances) {
+        const SharedMesh& mesh = scene.meshes[instance.mesh];
+        for (uint32_t k = 0; k < mesh.triangleCount; ++k)
+            for (const uint32_t vertex : scene.triangles[mesh.firstTriangle + k].vertex) {
+                const glm::dvec3 point = filePoint(frames[instance.mesh], scene.vertices[vertex].position);
+                bounds.include(instance.sceneFromMesh * glm::dvec4(point, 1.0));
+            }
+    }
+    return bounds;
+}
+
+/// From the mesh's own frame to the scene's.
+MeshInstance inFrames(const RawInstance& instance, const SceneFrame& mesh, const SceneFrame& scene) {
+    const double scale = std::ldexp(1.0, mesh.exponent - scene.exponent);
+    const glm::dvec3 center = instance.sceneFromMesh * glm::dvec4(mesh.center, 1.0);
+    return {instance.mesh, glm::mat3(scale * glm::dmat3(instance.sceneFromMesh)), normalisedPoint(scene, center)};
+}
+
+/// What is no instance of a shared mesh becomes one mesh more, with one instance.
+void convertInstances(const RawScene& raw, const std::vector<SceneFrame>& frames, uint32_t firstOwnTriangle,
+                      Scene& scene) {
+    for (const RawInstance& source : raw.instances) {
+        const MeshInstance instance = inFrames(source, frames[source.mesh], scene.frame);
+        const glm::mat3& m = instance.sceneFromMesh;
+        if (std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}) < kSmallestInstance)
+            scene.warnings.add("instances of meshes dropped: less than a millionth of the scene");
+        else
+            scene.instances.push_back(instance);
+    }
+    if (raw.instances.empty()) return scene.meshes.clear();
+    // With instances, what is in the scene's frame needs one too.
+    const auto ownCount = static_cast<uint32_t>(scene.triangles.size()) - firstOwnTriangle;
+    if (ownCount == 0 && scene.instances.empty()) {
+        scene.triangles.clear();
+        scene.vertices.clear();
+        scene.meshes.clear();
+    }
+    if (ownCount == 0) return;
+    scene.instances.push_back({.mesh = static_cast<uint32_t>(scene.meshes.size())});
+    scene.meshes.push_back({firstOwnTriangle, ownCount});
 }
 
 void computeBounds(Scene& scene) {
     if (scene.vertices.empty()) return;
+    if (!scene.instances.empty()) {
+        const std::vector<Bounds> all = manylight::boundsOfInstances(scene, listInstances(scene));
+        scene.boundsMin = all.front().low;
+        scene.boundsMax = all.front().high;
+        for (const Bounds& bounds : all) {
+            scene.boundsMin = glm::min(scene.boundsMin, bounds.low);
+            scene.boundsMax = glm::max(scene.boundsMax, bounds.high);
+        }
+        return;
+    }
     scene.boundsMin = scene.boundsMax = scene.vertices.front().position;
     for (const Vertex& vertex : scene.vertices) {
         scene.boundsMin = glm::min(scene.boundsMin, vertex.position);
@@ -217,11 +308,18 @@ Scene normalise(RawScene&& raw) {
     scene.maxDepth = raw.maxDepth;
     scene.textures = std::move(raw.textures);
 
-    const size_t trianglesRead = raw.triangles.size();
+    size_t trianglesRead = raw.triangles.size();
+    for (const RawMesh& mesh : raw.meshes) trianglesRead += mesh.triangles.size();
     addRectLights(raw);
-    dropFaultyTriangles(raw, scene.warnings, [&](const RawTriangle& triangle) { return faultOf(raw, triangle); });
-    const Positions positions = settleFrame(raw, scene);
-    convertTriangles(raw, positions, scene);
+    const Part own{raw.vertices, raw.triangles, raw.originLabel};
+    dropFaultyTriangles(own, scene.warnings, [&](const RawTriangle& triangle) { return faultOf(own, triangle); });
+    const std::vector<SceneFrame> frames = convertMeshes(raw, scene);
+    const auto firstOwnTriangle = static_cast<uint32_t>(scene.triangles.size());
+    const Settled settled = settleFrame(own, boundsOfInstances(raw, scene, frames), scene.warnings);
+    scene.frame = settled.frame;
+    convertTriangles(own, settled.positions, raw.materials.size(), scene);
+    convertInstances(raw, frames, firstOwnTriangle, scene);
+    scene.sharing = raw.sharing;
     computeBounds(scene);
     if (scene.triangles.empty()) scene.warnings.add("scenes without triangles");
 

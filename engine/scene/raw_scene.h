@@ -80,6 +80,17 @@ struct RawCamera {
     std::optional<glm::uvec2> resolution;
 };
 
+/// Triangles that several instances show, in the mesh's own coordinates.
+struct RawMesh {
+    std::vector<RawVertex> vertices;
+    std::vector<RawTriangle> triangles;
+};
+
+struct RawInstance {
+    uint32_t mesh = 0;
+    glm::dmat4 sceneFromMesh{1.0};
+};
+
 struct RawScene {
     std::string name;
     std::filesystem::path path;
@@ -87,6 +98,9 @@ struct RawScene {
 
     std::vector<RawVertex> vertices;
     std::vector<RawTriangle> triangles;
+    std::vector<RawMesh> meshes;          // beside `triangles`
+    std::vector<RawInstance> instances;   // by mesh; their transforms can be inverted
+    SharingChoice sharing;
     std::vector<RawMaterial> materials;
     std::vector<Texture> textures;
     std::vector<RawLight> lights;

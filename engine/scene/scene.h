@@ -91,6 +91,27 @@ struct Vertex {
     glm::vec4 colour{1.0f};  // linear, in [0, 1]; multiplies the material's albedo and opacity
 };
 
+/// Triangles that instances show, in a frame of the mesh's own.
+struct SharedMesh {
+    uint32_t firstTriangle = 0;
+    uint32_t triangleCount = 0;
+};
+
+/// A mesh in the scene: scenePoint = sceneFromMesh * meshPoint + center. A mesh that some instances mirror exists twice,
+/// so that triangles are counter-clockwise from their front in the scene.
+struct MeshInstance {
+    uint32_t mesh = 0;  // index into Scene::meshes
+    glm::mat3 sceneFromMesh{1.0f};
+    glm::vec3 center{0.0f};
+};
+
+/// Whether meshes that are shown several times are kept once, and why; `savedBytes` of device memory.
+struct SharingChoice {
+    bool shares = false;
+    std::string reason = "no mesh is shown twice";
+    uint64_t savedBytes = 0;
+};
+
 enum class LightType : uint8_t { Point, Spot, Directional, Constant };
 
 /// A light that is no surface. Emissive triangles are lights too, through their material; a sidecar's rect_area
@@ -138,6 +159,9 @@ struct Scene {
 
     std::vector<Vertex> vertices;
     std::vector<Triangle> triangles;
+    std::vector<SharedMesh> meshes;        // of `triangles`, if there are instances
+    std::vector<MeshInstance> instances;   // by mesh; none: `triangles` are in the scene's frame, each there once
+    SharingChoice sharing;
     std::vector<Material> materials;  // at least one if there are triangles
     std::vector<Texture> textures;
     std::vector<Light> lights;

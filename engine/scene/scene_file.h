@@ -1,6 +1,7 @@
 // Which kind of scene file a path names, by its extension.
 #pragma once
 
+#include "engine/scene/import_options.h"
 #include "engine/scene/raw_scene.h"
 
 #include <filesystem>
@@ -12,6 +13,6 @@ enum class SceneFileKind : uint8_t { Obj, Gltf, Sidecar, Unknown };
 SceneFileKind sceneFileKind(const std::filesystem::path& path);
 
 /// Reads a scene file of any kind. Throws Error; an unknown extension lists the known ones.
-RawScene readSceneFile(const std::filesystem::path& path);
+RawScene readSceneFile(const std::filesystem::path& path, const ImportOptions& options = {});
 
 }  // namespace manylight

@@ -1,12 +1,14 @@
 #include "engine/scene/scene_plan.h"
 
 #include "engine/core/error.h"
+#include "engine/scene/instances.h"
 #include "shaders/shared/lights.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace manylight {
 namespace {
@@ -41,18 +43,88 @@ uint64_t texelBytes(const Scene& scene) {
     return bytes;
 }
 
+// What geometry takes on the device, about: corners, BVH nodes, material; a record and a node for an instance.
+constexpr uint64_t kBytesPerTriangle = 72;
+constexpr uint64_t kBytesPerInstance = 160;
+constexpr uint64_t kLeastSaved = uint64_t{16} << 20;
+
+int64_t savedBy(const RepeatedMesh& mesh) {
+    return static_cast<int64_t>((mesh.uses - 1) * mesh.triangles * kBytesPerTriangle) -
+           static_cast<int64_t>(mesh.uses * kBytesPerInstance);
+}
+
 bool isGlossy(const Material& material) { return material.metallic > 0.0f || material.specular != glm::vec3(0.0f); }
 
 bool emits(const Material& material) { return material.emittedRadiance != glm::vec3(0.0f); }
 
 size_t countEmitters(const Scene& scene) {
-    const auto triangles = std::count_if(scene.triangles.begin(), scene.triangles.end(), [&](const Triangle& triangle) {
-        return emits(scene.materials[triangle.material]);
-    });
-    return static_cast<size_t>(triangles) + scene.lights.size() + (scene.environment ? 1 : 0);
+    const InstanceList list = listInstances(scene);
+    std::vector<size_t> ofMesh;
+    for (const SharedMesh& mesh : list.meshes) {
+        const auto first = scene.triangles.begin() + mesh.firstTriangle;
+        ofMesh.push_back(static_cast<size_t>(std::count_if(
+            first, first + mesh.triangleCount, [&](const Triangle& t) { return emits(scene.materials[t.material]); })));
+    }
+    size_t count = scene.lights.size() + (scene.environment ? 1 : 0);
+    for (const MeshInstance& instance : list.instances) count += ofMesh[instance.mesh];
+    return count;
+}
+
+/// Scales alike along all axes, so that it turns normals as it turns directions?
+bool scalesAlike(const glm::mat3& m) {
+    const glm::vec3 squares{glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2])};
+    const float largest = std::max({squares.x, squares.y, squares.z});
+    const float smallest = std::min({squares.x, squares.y, squares.z});
+    const float skew =
+        std::max({std::abs(glm::dot(m[0], m[1])), std::abs(glm::dot(m[1], m[2])), std::abs(glm::dot(m[2], m[0]))});
+    return largest - smallest <= 1e-5f * largest && skew <= 1e-5f * largest;
+}
+
+void planInstances(ScenePlan& plan, const Scene& scene, const Kept& kept) {
+    const bool shares = !scene.instances.empty();
+    plan.instanced = decide(plan, kept, shares, "two levels of rays", scene.sharing.reason);
+    // Without triangles there is nothing that could be put anywhere.
+    if (scene.triangles.empty() && plan.instanced) {
+        plan.instanced = false;
+        plan.decisions.back() = {"two levels of rays", true, "there is no geometry", 0, false};
+    }
+    const bool stretched =
+        std::any_of(scene.instances.begin(), scene.instances.end(),
+                    [](const MeshInstance& instance) { return !scalesAlike(instance.sceneFromMesh); });
+    // Not for --plan off: the same normals by another matrix would be rounded differently.
+    plan.stretched = stretched;
+    plan.decisions.push_back({"matrices of normals", !stretched,
+                              stretched ? "an instance scales its axes differently"
+                              : shares  ? "every instance scales its axes alike"
+                                        : "no mesh is an instance",
+                              0, false});
+    plan.decisions.push_back({"repeated triangles", shares, scene.sharing.reason, scene.sharing.savedBytes, false});
 }
 
 }  // namespace
+
+bool isSharedWhere(const RepeatedMesh& mesh, InstanceMode mode) {
+    return mesh.uses > 1 && (mode == InstanceMode::Share || savedBy(mesh) > 0);
+}
+
+SharingChoice chooseSharing(std::span<const RepeatedMesh> meshes, InstanceMode mode) {
+    if (mode == InstanceMode::Flatten) return {false, "meshes are repeated, as asked for", 0};
+    uint64_t all = 0;
+    uint64_t saved = 0;
+    uint64_t shared = 0;
+    for (const RepeatedMesh& mesh : meshes) {
+        all += mesh.triangles * mesh.uses * kBytesPerTriangle;
+        if (!isSharedWhere(mesh, mode)) continue;
+        saved += static_cast<uint64_t>(std::max<int64_t>(savedBy(mesh), 0));
+        ++shared;
+    }
+    if (shared == 0) return {false, "no mesh is shown twice", 0};
+    if (mode == InstanceMode::Share)
+        return {true, fmt::format("{} meshes are shown more than once, and sharing is asked for", shared), saved};
+    if (saved < kLeastSaved) return {false, "repeating meshes takes less than 16 MiB more than sharing them", 0};
+    if (2 * saved < all) return {false, "sharing meshes would save less than half of the geometry's memory", 0};
+    return {true, fmt::format("{} meshes are shown more than once", shared), saved};
+}
 
 ScenePlan planScene(const Scene& scene, bool everything, const std::string& keeps) {
     ScenePlan plan;
@@ -114,6 +186,8 @@ ScenePlan planScene(const Scene& scene, bool everything, const std::string& keep
     plan.emissionTextured = decide(plan, kept, emissionVaries, "emission that varies over a triangle",
                                    emissionVaries ? "a triangle's material has an emission texture, or is unlit"
                                                   : "no triangle's material has an emission texture or is unlit");
+
+    planInstances(plan, scene, kept);
 
     const bool emissive = usesMaterial(emits);
     const bool hasMap = scene.environment.has_value();

@@ -1,8 +1,10 @@
 // What this scene does not need, decided once, in one place, each time with the reason.
 #pragma once
 
+#include "engine/scene/import_options.h"
 #include "engine/scene/scene.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,8 @@ struct ScenePlan {
     bool culled = true;          // back faces that the camera looks through
     bool vertexColours = true;
     bool emissionTextured = true;   // emission that varies over a triangle, and unlit materials
+    bool instanced = true;          // two levels: meshes with a BVH each, and instances that put them into the scene
+    bool stretched = true;          // instances that do not scale alike along all axes: normals need a matrix
     bool areaLights = true;         // samples of emissive triangles and of the environment for direct light
     bool environmentMapped = true;  // surroundings that differ with the direction
     bool manyEmitters = true;       // more than one to choose from
@@ -39,6 +43,19 @@ struct ScenePlan {
 /// `everything` (--plan off) leaves nothing out; the picture is the same. `keeps` (--plan-keeps) names one thing that
 /// is kept though the scene does not need it: throws Error if there is no such decision.
 ScenePlan planScene(const Scene& scene, bool everything = false, const std::string& keeps = {});
+
+/// A mesh that could be shared, and how often it is shown.
+struct RepeatedMesh {
+    uint64_t triangles = 0;
+    uint64_t uses = 0;
+};
+
+/// Auto shares meshes if the scene's geometry then takes half of the device memory at most and 16 MiB less: rays
+/// through two levels are slower than through one.
+SharingChoice chooseSharing(std::span<const RepeatedMesh> meshes, InstanceMode mode);
+
+/// Of a scene that shares: is this mesh shared? Not if the instances would take more than the repeats.
+bool isSharedWhere(const RepeatedMesh& mesh, InstanceMode mode);
 
 /// One line a decision, for --explain.
 std::string explain(const ScenePlan& plan);

@@ -167,7 +167,7 @@ RawScene readOwnKeys(const JsonView& root) {
 
 }  // namespace
 
-RawScene readSidecar(const std::filesystem::path& path) {
+RawScene readSidecar(const std::filesystem::path& path, const ImportOptions& options) {
     const std::string file = path.string();
     const Json json = parseJson(readTextFile(path), file);
     const JsonView root(json, file);
@@ -179,7 +179,7 @@ RawScene readSidecar(const std::filesystem::path& path) {
     std::error_code refused;  // a name may be longer than the system takes
     if (!std::filesystem::exists(named, refused)) root.at("scene").failExpected("an existing file");
 
-    RawScene scene = readSceneFile(named);
+    RawScene scene = readSceneFile(named, options);
     if (!own.name.empty()) scene.name = std::move(own.name);
     scene.path = path;
     scene.maxDepth = own.maxDepth;

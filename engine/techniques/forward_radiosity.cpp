@@ -7,11 +7,11 @@ namespace manylight {
 
 TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs) {
     const RenderSettings& settings = inputs.settings;
-    const uint32_t triangleCount = inputs.gpuScene.triangleCount;
+    const std::span<const DrawRange> draws = inputs.gpuScene.draws;
     const LightsOfFrame lights = addLightsOfFrame(graph, scene, inputs);
     std::optional<Visibility> prepass;
     if (settings.technique == Technique::ForwardPrepass)
-        prepass = addVisibility(graph, scene, inputs.plan, triangleCount, settings.width, settings.height);
+        prepass = addVisibility(graph, scene, inputs.plan, draws, settings.width, settings.height);
     const ForwardResult forward =
         addForward(graph, scene, inputs.plan, lights.vpls,
                    {.lightCount = lights.lightCount,
@@ -20,7 +20,7 @@ TechniqueResult declareForwardRadiosity(FrameGraph& graph, SceneHandles& scene, 
                     .showEmission = settings.lighting != Lighting::Global,
                     .compensates = lights.vplCount > 0 && settings.clamp == ClampMode::Compensate,
                     .environmentRadiance = inputs.environmentRadiance},
-                   prepass, triangleCount, settings.width, settings.height);
+                   prepass, draws, settings.width, settings.height);
     return {forward.radiance, forward.depth, lights.list()};
 }
 

@@ -37,7 +37,7 @@ GBufferImage captureGBuffer(Renderer& renderer, const Scene& scene) {
     renderer.executor().dumpAfter("");
     MANYLIGHT_CHECK(execution.dumped.size() == 3u, "images of pass gbuffer");
 
-    const std::vector<uint32_t>& order = renderer.gpuScene().triangleOrder;
+    const TriangleNumbers& numbers = renderer.gpuScene().numbers;
     GBufferImage image;
     image.texels.resize(size_t{settings.width} * settings.height);
     for (size_t pixel = 0; pixel < image.texels.size(); ++pixel) {
@@ -49,7 +49,7 @@ GBufferImage captureGBuffer(Renderer& renderer, const Scene& scene) {
         GBufferTexel& texel = image.texels[pixel];
         texel.isSurface = true;
         texel.triangle = position[3] - 1;
-        texel.material = scene.triangles[order[texel.triangle]].material;
+        texel.material = scene.triangles[numbers.sceneTriangle(texel.triangle)].material;
         texel.position = {std::bit_cast<float>(position[0]), std::bit_cast<float>(position[1]),
                           std::bit_cast<float>(position[2])};
         texel.normal = unpackNormal(std::bit_cast<float>(shading[0]), std::bit_cast<float>(shading[1]));

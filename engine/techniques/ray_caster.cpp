@@ -31,7 +31,8 @@ std::vector<T> asVector(const std::vector<std::byte>& bytes, size_t count) {
 
 RayCaster::RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh)
     : device_(device),
-      gpuScene_(uploadScene(device, scene, planScene(scene), bvh)),
+      plan_(planScene(scene)),
+      gpuScene_(uploadScene(device, scene, plan_, bvh)),
       pipelines_(device),
       executor_(device, pipelines_),
       status_(makeStatusBuffer(device)) {}
@@ -57,9 +58,10 @@ Execution RayCaster::trace(RayKind kind) {
     scene.status = importPhysical(graph, "status", status_);
     scene.bvhNodes = importPhysical(graph, "BVH nodes", gpuScene_.bvhNodes);
     scene.triangles = importPhysical(graph, "triangles", gpuScene_.triangles);
+    scene.instances = importPhysical(graph, "instances", gpuScene_.instances);
     addStatusReset(graph, scene);
     RayBuffers rays{importPhysical(graph, "ray queries", queries_), importPhysical(graph, "ray answers", answers_)};
-    addTraceRays(graph, scene, rays, rayCount_, kind);
+    addTraceRays(graph, scene, plan_, rays, rayCount_, kind);
     graph.keep(rays.answers);
     addStatusReadback(graph, scene);
     Execution execution = executor_.execute(graph);

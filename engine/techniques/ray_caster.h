@@ -24,7 +24,7 @@ class RayCaster {
 
     /// 1 per ray that met something, 0 for the others. After trace(RayKind::AnyHit).
     std::vector<uint32_t> occludedFlags();
-    /// RayHit::triangle counts in Bvh::triangleOrder. After trace(RayKind::ClosestHit).
+    /// RayHit::triangle is a number of GpuScene::numbers. After trace(RayKind::ClosestHit).
     std::vector<shared::RayHit> hits();
 
     const GpuScene& gpuScene() const { return gpuScene_; }
@@ -33,6 +33,7 @@ class RayCaster {
     std::vector<std::byte> answers(RayKind kind);
 
     gpu::Device& device_;
+    ScenePlan plan_;
     GpuScene gpuScene_;
     gpu::PipelineLibrary pipelines_;
     GraphExecutor executor_;

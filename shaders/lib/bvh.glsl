@@ -16,6 +16,9 @@ layout(constant_id = 31) const bool kBvhStackInRegisters = true;
 
 // Left out by ScenePlan where every material is opaque.
 layout(constant_id = 3) const bool kAlphaTested = false;
+
+// 0: every triangle is in the scene's frame. 1: meshes are, where instances put them. 2: some instances stretch theirs.
+layout(constant_id = 9) const uint kInstanced = 0u;
 #endif
 
 // Does that ray pass through the triangle there? Defined by who knows materials; not asked unless kAlphaTested.
@@ -30,7 +33,7 @@ uint numberOfRay(vec3 origin, vec3 direction) {
 
 struct Hit {
     float t;
-    uint triangle;      // in leaf order; kNoHit: none
+    uint triangle;      // in leaf order, through all instances; kNoHit: none
     vec2 barycentrics;  // weights of the second and third corner
 };
 
@@ -43,8 +46,9 @@ const int kMostNodesAny = 12;
 const int kMostNodesClosest = 8;
 
 // Siblings put aside, at most those of one node per level; what a word means is up to the query. Below the last there
-// is an empty one.
-uint bvhStack[kBvhStackSize];
+// is an empty one. Of two levels, the lower one's come above the upper one's.
+const int kBvhStackWords = kInstanced == 0u ? kBvhStackSize : 2 * kBvhStackSize;
+uint bvhStack[kBvhStackWords];
 int bvhTop = 0;
 
 // The same in registers, the last put aside first.
@@ -52,9 +56,9 @@ uvec4 bvhFirstFour = uvec4(0u);
 uvec4 bvhSecondFour = uvec4(0u);
 uvec4 bvhThirdFour = uvec4(0u);
 
-void beginTraversal() {
-    bvhStack[0] = 0u;
-    bvhTop = 1;
+void beginTraversal(int top) {
+    bvhStack[top] = 0u;
+    bvhTop = top + 1;
     bvhFirstFour = uvec4(0u);
     bvhSecondFour = uvec4(0u);
     bvhThirdFour = uvec4(0u);
@@ -105,22 +109,19 @@ TriangleHit testTriangle(TraversalRay ray, uint triangle, float tMax) {
 
 // Where to go on after a visit, given the inner children that the ray meets and the visited node's own siblings: down,
 // with the siblings put aside; along; or up.
-uint nextInSlotOrder(uint children, uint siblings) {
+uint nextInSlotOrder(uint children, uint siblings, bool inRegisters) {
     const bool pushes = hasSlots(children) && hasSlots(siblings);
     const bool pops = !hasSlots(children) && !hasSlots(siblings);
-    const uint last = kBvhStackInRegisters ? exchangeInRegisters(siblings, pushes, pops)
-                                           : exchangeInMemory(siblings, pushes, pops);
+    const uint last =
+        inRegisters ? exchangeInRegisters(siblings, pushes, pops) : exchangeInMemory(siblings, pushes, pops);
     return hasSlots(children) ? children : (hasSlots(siblings) ? siblings : last);
 }
 
-// Is there a triangle at t in (0, tMax)? A zero direction meets nothing.
+// Does the ray meet a triangle below `root` at t in (0, tEnd)? `numberOffset` is added to what triangles are called.
 // `siblings`: node of the first inner child * 256 | slots still to visit, which is in the order of slots.
-bool occluded(vec3 origin, vec3 direction, float tMax) {
-    const TraversalRay ray = makeTraversalRay(origin, direction);
-    const float tEnd = direction == vec3(0.0f) ? -1.0f : tMax;
-    const uint number = kAlphaTested ? numberOfRay(origin, direction) : 0u;
-    beginTraversal();
-    uint siblings = 1u;
+bool occludedInTree(TraversalRay ray, float tEnd, uint number, uint root, uint numberOffset, int top) {
+    beginTraversal(top);
+    uint siblings = (root << 8) | 1u;
     uint leafSlots = 0u;
     uint firstTriangle = 0u;
     bool isHit = false;
@@ -133,7 +134,7 @@ bool occluded(vec3 origin, vec3 direction, float tMax) {
             const NodeVisit visit = visitNode(ray, (siblings >> 8) + slotOfBit(bit), tEnd);
             leafSlots = visit.leafSlots;
             firstTriangle = visit.firstTriangle;
-            siblings = nextInSlotOrder((visit.firstChild << 8) | visit.innerSlots, siblings - bit);
+            siblings = nextInSlotOrder((visit.firstChild << 8) | visit.innerSlots, siblings - bit, kBvhStackInRegisters);
             ++count;
             descends = hasSlots(siblings) && !hasSlots(leafSlots) && count < kMostNodesAny;
         }
@@ -143,8 +144,8 @@ bool occluded(vec3 origin, vec3 direction, float tMax) {
         bool hitsFirst = hasSlots(leafSlots) && a.isHit && a.t < tEnd;
         bool hitsSecond = hasSlots(leafSlots) && b.isHit && b.t < tEnd;
         if (kAlphaTested) {
-            hitsFirst = hitsFirst && !letsThrough(triangles.first, a.barycentrics, number);
-            hitsSecond = hitsSecond && !letsThrough(triangles.second, b.barycentrics, number);
+            hitsFirst = hitsFirst && !letsThrough(triangles.first + numberOffset, a.barycentrics, number);
+            hitsSecond = hitsSecond && !letsThrough(triangles.second + numberOffset, b.barycentrics, number);
         }
         isHit = hitsFirst || hitsSecond;
         leafSlots -= lowestSlotBit(leafSlots);
@@ -172,18 +173,13 @@ uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings) {
     return goesDown ? others : (goesUp ? last : left);
 }
 
-// The nearest triangle at t in (0, tMax); of several at the same t the first in leaf order.
+// The nearer of `best` and what is below `root`, if that is to be visited at all.
 // `siblings` is a queue, see bvh_ray.h, to be visited after `node`.
-Hit closestHit(vec3 origin, vec3 direction, float tMax) {
-    const TraversalRay ray = makeTraversalRay(origin, direction);
-    const uint number = kAlphaTested ? numberOfRay(origin, direction) : 0u;
-    Hit best;
-    best.t = direction == vec3(0.0f) ? -1.0f : tMax;
-    best.triangle = kNoHit;
-    best.barycentrics = vec2(0.0f);
-    beginTraversal();
-    uint node = 0u;
-    bool hasNode = true;
+Hit closestHitInTree(TraversalRay ray, bool visitsRoot, Hit best, float tMax, uint number, uint root, uint numberOffset,
+                     int top) {
+    beginTraversal(top);
+    uint node = root;
+    bool hasNode = visitsRoot;
     uint siblings = 0u;
     uint leafSlots = 0u;
     uint firstTriangle = 0u;
@@ -209,15 +205,36 @@ Hit closestHit(vec3 origin, vec3 direction, float tMax) {
         a.isHit = a.isHit && hasSlots(leafSlots);
         b.isHit = b.isHit && hasSlots(leafSlots);
         if (kAlphaTested) {
-            a.isHit = a.isHit && !letsThrough(triangles.first, a.barycentrics, number);
-            b.isHit = b.isHit && !letsThrough(triangles.second, b.barycentrics, number);
+            a.isHit = a.isHit && !letsThrough(triangles.first + numberOffset, a.barycentrics, number);
+            b.isHit = b.isHit && !letsThrough(triangles.second + numberOffset, b.barycentrics, number);
         }
-        best = nearer(nearer(best, a, triangles.first, tMax), b, triangles.second, tMax);
+        best = nearer(nearer(best, a, triangles.first + numberOffset, tMax), b, triangles.second + numberOffset, tMax);
         leafSlots -= lowestSlotBit(leafSlots);
         isDone = !hasNode && !hasSlots(leafSlots);
     }
     bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || !isDone;
     return best;
+}
+
+#include "shaders/lib/instances.glsl"
+
+// Is there a triangle at t in (0, tMax)? A zero direction meets nothing.
+bool occluded(vec3 origin, vec3 direction, float tMax) {
+    const float tEnd = direction == vec3(0.0f) ? -1.0f : tMax;
+    const uint number = kAlphaTested ? numberOfRay(origin, direction) : 0u;
+    if (kInstanced != 0u) return occludedByInstances(origin, direction, tEnd, number);
+    return occludedInTree(makeTraversalRay(origin, direction), tEnd, number, 0u, 0u, 0);
+}
+
+// The nearest triangle at t in (0, tMax); of several at the same t the first in leaf order.
+Hit closestHit(vec3 origin, vec3 direction, float tMax) {
+    const uint number = kAlphaTested ? numberOfRay(origin, direction) : 0u;
+    Hit best;
+    best.t = direction == vec3(0.0f) ? -1.0f : tMax;
+    best.triangle = kNoHit;
+    best.barycentrics = vec2(0.0f);
+    if (kInstanced != 0u) return closestHitOfInstances(origin, direction, best, tMax, number);
+    return closestHitInTree(makeTraversalRay(origin, direction), true, best, tMax, number, 0u, 0u, 0);
 }
 
 #endif

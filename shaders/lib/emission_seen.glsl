@@ -6,7 +6,7 @@
 
 // Unlit materials are seen as they are; others show what their front side emits.
 vec3 emissionSeenAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
-    const uint material = triangleMaterials[triangle];
+    const uint material = materialOf(triangle);
     if (kEmissionTextured && materials[material].isUnlit != 0u) return albedoAt(triangle, barycentrics, material);
     const bool isFront = dot(counterClockwiseNormal(loadTriangle(triangle)), toViewer) > 0.0;
     return isFront ? emittedRadianceAt(triangle, barycentrics, material) : vec3(0.0);

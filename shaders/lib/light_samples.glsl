@@ -102,7 +102,7 @@ EmissionMet emissionMetBy(Hit hit, vec3 direction) {
         return EmissionMet(radianceOfEnvironment(direction), density);
     }
     const TriangleRecord t = loadTriangle(hit.triangle);
-    const uint material = triangleMaterials[hit.triangle];
+    const uint material = materialOf(hit.triangle);
     const float cosLight = -dot(counterClockwiseNormal(t), direction);
     if (cosLight <= 0.0) return EmissionMet(vec3(0.0), 0.0);
     const float area = areaOf(t);

@@ -21,14 +21,27 @@ layout(set = 0, binding = kBindingTriangleUvs, scalar) readonly buffer TriangleU
 layout(set = 0, binding = kBindingTriangleColours, scalar) readonly buffer TriangleColourBlock { uvec2 triangleColours[]; };
 layout(set = 0, binding = kBindingMaterials, scalar) readonly buffer MaterialBlock { Material materials[]; };
 
-// Corners of a triangle: xyz is the position, w the packed shading normal.
-struct TriangleRecord { uvec4 corner0, corner1, corner2; };
+// Corners of a triangle: xyz is the position, w the packed shading normal, which stays in the frame of its mesh.
+struct TriangleRecord { uvec4 corner0, corner1, corner2; uint instance; };
+
+uvec4 placedCorner(uint instance, uvec4 corner) {
+    const vec3 placed = placedInScene(floatsOf(instanceTexel(instance, 4)), floatsOf(instanceTexel(instance, 5)),
+                                      floatsOf(instanceTexel(instance, 6)), floatsOf(instanceTexel(instance, 3)),
+                                      floatsOf(corner));
+    return uvec4(floatBitsToUint(placed), corner.w);
+}
 
 TriangleRecord loadTriangle(uint triangle) {
-    const int first = int(triangle) * 3;
-    return TriangleRecord(imageLoad(bvhTriangles, first), imageLoad(bvhTriangles, first + 1),
-                          imageLoad(bvhTriangles, first + 2));
+    const int first = int(recordOf(triangle)) * 3;
+    TriangleRecord t = TriangleRecord(imageLoad(bvhTriangles, first), imageLoad(bvhTriangles, first + 1),
+                                      imageLoad(bvhTriangles, first + 2), 0u);
+    if (kInstanced == 0u) return t;
+    t.instance = instanceOf(triangle);
+    return TriangleRecord(placedCorner(t.instance, t.corner0), placedCorner(t.instance, t.corner1),
+                          placedCorner(t.instance, t.corner2), t.instance);
 }
+
+uint materialOf(uint triangle) { return triangleMaterials[recordOf(triangle)]; }
 
 struct Surface {
     vec3 position;
@@ -62,17 +75,36 @@ vec3 counterClockwiseNormal(TriangleRecord t) {
     return squared > 0.0 ? n * inversesqrt(squared) : vec3(0.0, 0.0, 1.0);
 }
 
-vec3 shadingNormalAt(TriangleRecord t, vec2 barycentrics, vec3 geometric) {
-    if (!kShadingNormals || t.corner0.w == kNoNormal) return geometric;  // a flat triangle has none in any corner
-    const vec3 n0 = unpackUnitVector(t.corner0.w);
-    const vec3 n1 = unpackUnitVector(t.corner1.w);
-    const vec3 n2 = unpackUnitVector(t.corner2.w);
-    const vec3 n = (1.0 - barycentrics.x - barycentrics.y) * n0 + barycentrics.x * n1 + barycentrics.y * n2;
-    const float squared = dot(n, n);
-    return squared > 1e-12 ? n * inversesqrt(squared) : geometric;
+// From a mesh to the scene, to be normalised: by the cofactors where instances stretch, else as any direction. On which
+// side it comes out does not matter, see surfaceAt().
+vec3 normalInScene(uint instance, vec3 normal) {
+    const vec3 row0 = floatsOf(instanceTexel(instance, 4));
+    const vec3 row1 = floatsOf(instanceTexel(instance, 5));
+    const vec3 row2 = floatsOf(instanceTexel(instance, 6));
+    if (kInstanced == 1u) return placedInScene(row0, row1, row2, vec3(0.0), normal);
+    const vec3 n = placedInScene(cross(row1, row2), cross(row2, row0), cross(row0, row1), vec3(0.0), normal);
+    return n / max(max(abs(n.x), abs(n.y)), max(abs(n.z), 1e-30));
 }
 
-vec2 cornerUv(uint triangle, uint corner, uint set) { return triangleUvs[(triangle * 3u + corner) * kUvSets + set]; }
+vec3 shadingNormalAt(TriangleRecord t, vec2 barycentrics, vec3 geometric) {
+    if (!kShadingNormals || t.corner0.w == kNoNormal) return geometric;  // a flat triangle has none in any corner
+    vec3 n0 = unpackUnitVector(t.corner0.w);
+    vec3 n1 = unpackUnitVector(t.corner1.w);
+    vec3 n2 = unpackUnitVector(t.corner2.w);
+    if (kInstanced == 2u) {
+        n0 = normalize(normalInScene(t.instance, n0));
+        n1 = normalize(normalInScene(t.instance, n1));
+        n2 = normalize(normalInScene(t.instance, n2));
+    }
+    vec3 n = (1.0 - barycentrics.x - barycentrics.y) * n0 + barycentrics.x * n1 + barycentrics.y * n2;
+    const float squared = dot(n, n);
+    if (kInstanced == 1u) n = normalInScene(t.instance, n);
+    return squared > 1e-12 ? n * inversesqrt(kInstanced == 1u ? dot(n, n) : squared) : geometric;
+}
+
+vec2 cornerUv(uint triangle, uint corner, uint set) {
+    return triangleUvs[(recordOf(triangle) * 3u + corner) * kUvSets + set];
+}
 
 vec2 uvAt(uint triangle, vec2 barycentrics, uint set) {
     const vec2 uv0 = cornerUv(triangle, 0u, set);
@@ -85,7 +117,7 @@ vec4 uvsAt(uint triangle, vec2 barycentrics) {
 }
 
 vec4 cornerColour(uint triangle, uint corner) {
-    const uvec2 bits = triangleColours[triangle * 3u + corner];
+    const uvec2 bits = triangleColours[recordOf(triangle) * 3u + corner];
     return vec4(unpackUnorm2x16(bits.x), unpackUnorm2x16(bits.y));
 }
 
@@ -97,7 +129,7 @@ vec4 vertexColourAt(uint triangle, vec2 barycentrics) {
 
 // Does the camera look through that side of the triangle?
 bool isCulledFrom(uint triangle, vec3 toViewer) {
-    return kCulled && materials[triangleMaterials[triangle]].isCulled != 0u &&
+    return kCulled && materials[materialOf(triangle)].isCulled != 0u &&
            dot(counterClockwiseNormal(loadTriangle(triangle)), toViewer) < 0.0;
 }
 
@@ -130,7 +162,7 @@ float coverageAt(uint triangle, vec2 barycentrics, uint material) {
 
 // In bvh.glsl's terms: does a ray, or the camera, go through the triangle here? `u` is uniform in [0, 1).
 bool isTransparentAt(uint triangle, vec2 barycentrics, float u) {
-    const uint material = triangleMaterials[triangle];
+    const uint material = materialOf(triangle);
     return materials[material].alphaMode != kAlphaOpaque && u >= coverageAt(triangle, barycentrics, material);
 }
 
@@ -184,7 +216,7 @@ Bsdf bsdfAt(uint triangle, vec2 barycentrics, uint material) {
 Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
     const TriangleRecord t = loadTriangle(triangle);
     const vec3 counterClockwise = counterClockwiseNormal(t);
-    const uint material = triangleMaterials[triangle];
+    const uint material = materialOf(triangle);
     vec3 shading = shadingNormalAt(t, barycentrics, counterClockwise);
     // The map belongs to the front of the surface.
     shading = dot(shading, counterClockwise) < 0.0 ? -shading : shading;

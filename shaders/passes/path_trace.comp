@@ -48,7 +48,7 @@ vec3 emissionMet(PathState path, float lightDensity, vec3 radiance) {
 }
 
 vec3 emissionOfSurface(PathState path, Hit hit) {
-    const uint material = triangleMaterials[hit.triangle];
+    const uint material = materialOf(hit.triangle);
     if (kEmissionTextured && materials[material].isUnlit != 0u)
         return path.scatterings == 0u && counts(0u) ? albedoAt(hit.triangle, hit.barycentrics, material) : vec3(0.0);
     const TriangleRecord t = loadTriangle(hit.triangle);

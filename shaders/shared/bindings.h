@@ -44,6 +44,7 @@ MANYLIGHT_CONSTANT(int, kBindingCanvas, 61);            // image RGBA8: the whol
 MANYLIGHT_CONSTANT(int, kBindingPanelVertices, 62);     // storage: PanelVertex
 MANYLIGHT_CONSTANT(int, kBindingPanelIndices, 63);      // storage: uint per corner of a triangle
 MANYLIGHT_CONSTANT(int, kBindingPanelAtlas, 64);        // storage: coverage of four texels per uint
+MANYLIGHT_CONSTANT(int, kBindingInstances, 36);         // storage texel buffer, RGBA32_UINT: kTexelsPerInstance per Instance
 
 MANYLIGHT_SHARED_END
 #endif

@@ -4,12 +4,6 @@
 #define MANYLIGHT_SHARED_BVH_RAY_H
 #include "shaders/shared/bvh.h"
 
-#ifdef __cplusplus
-#define MANYLIGHT_PRECISE
-#else
-#define MANYLIGHT_PRECISE precise
-#endif
-
 MANYLIGHT_SHARED_BEGIN
 #ifdef __cplusplus
 using glm::abs;

@@ -7,9 +7,11 @@
 #define MANYLIGHT_SHARED_END }
 #define MANYLIGHT_CONSTANT(type, name, value) inline constexpr type name = value
 #define MANYLIGHT_FUNCTION inline
+#define MANYLIGHT_PRECISE
 #else
 #define MANYLIGHT_SHARED_BEGIN
 #define MANYLIGHT_SHARED_END
 #define MANYLIGHT_CONSTANT(type, name, value) const type name = value
 #define MANYLIGHT_FUNCTION
+#define MANYLIGHT_PRECISE precise
 #endif

@@ -1,6 +1,7 @@
 #include "tests/fuzz/scene_check.h"
 
 #include "engine/core/check.h"
+#include "engine/scene/instances.h"
 
 #include <cmath>
 
@@ -27,13 +28,28 @@ bool isInside(const glm::vec3& p, const glm::vec3& low, const glm::vec3& high) {
     return glm::all(glm::lessThanEqual(low, p)) && glm::all(glm::lessThanEqual(p, high));
 }
 
+void checkInstances(const Scene& scene) {
+    for (const MeshInstance& instance : scene.instances) {
+        MANYLIGHT_CHECK(instance.mesh < scene.meshes.size());
+        MANYLIGHT_CHECK(scene.meshes[instance.mesh].triangleCount > 0u);
+        MANYLIGHT_CHECK(isFinite(instance.center));
+        const float determinant = glm::determinant(instance.sceneFromMesh);
+        MANYLIGHT_CHECK(std::isfinite(determinant));
+        MANYLIGHT_CHECK(determinant != 0.0f);
+    }
+    if (scene.instances.empty()) return;
+    for (const Bounds& bounds : boundsOfInstances(scene, listInstances(scene)))
+        for (const glm::vec3& corner : {bounds.low, bounds.high})
+            MANYLIGHT_CHECK(isInside(corner, scene.boundsMin, scene.boundsMax));
+}
+
 void checkTriangles(const Scene& scene) {
     for (const Triangle& triangle : scene.triangles) {
         MANYLIGHT_CHECK(triangle.material < scene.materials.size());
         for (const uint32_t v : triangle.vertex) MANYLIGHT_CHECK(v < scene.vertices.size());
     }
     for (const Vertex& vertex : scene.vertices) {
-        MANYLIGHT_CHECK(isInside(vertex.position, scene.boundsMin, scene.boundsMax));
+        MANYLIGHT_CHECK((!scene.instances.empty() || isInside(vertex.position, scene.boundsMin, scene.boundsMax)));
         MANYLIGHT_CHECK((vertex.normal == glm::vec3(0.0f) || isUnit(vertex.normal)));
         MANYLIGHT_CHECK(isFinite({vertex.uv, 0.0f}));
     }
@@ -92,6 +108,7 @@ void checkCameras(const Scene& scene) {
 
 void checkScene(const Scene& scene) {
     checkTriangles(scene);
+    checkInstances(scene);
     checkMaterials(scene);
     checkLights(scene);
     checkCameras(scene);

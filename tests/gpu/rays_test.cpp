@@ -30,10 +30,11 @@ struct Answers {
 
 Answers cast(const Scene& mesh, const RaySet& rays) {
     const Scene scene = withMaterial(mesh);
-    RayCaster caster(test::device(), scene, buildBvh(scene));
+    const Bvh bvh = buildBvh(scene);
+    RayCaster caster(test::device(), scene, bvh);
     caster.load(rays);
     caster.trace(RayKind::AnyHit);
-    Answers answers{caster.occludedFlags(), {}, caster.gpuScene().triangleOrder};
+    Answers answers{caster.occludedFlags(), {}, bvh.triangleOrder};
     caster.trace(RayKind::ClosestHit);
     answers.hits = caster.hits();
     return answers;

@@ -5,6 +5,7 @@
 #include "engine/accel/ray_sets.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/bvh_ray.h"
+#include "shaders/shared/instance.h"
 #include "shaders/shared/ray_offset.h"
 #include "shaders/shared/sobol.h"
 #include "tests/unit/bvh_comb.h"
@@ -32,6 +33,9 @@ uvec4 imageLoad(const TexelBuffer& buffer, int index) {
 
 using glm::floatBitsToUint;
 constexpr bool kAlphaTested = false;
+constexpr uint kInstanced = 0;  // two levels are tested on the device
+TexelBuffer instanceTexels;
+using glm::dot;
 #include "shaders/lib/bvh.glsl"
 bool letsThrough(uint, vec2, uint) { return false; }
 }  // namespace

@@ -1,0 +1,107 @@
+#include "engine/scene/gltf_instances.h"
+
+#include "engine/scene/gltf_meshes.h"
+#include "engine/scene/scene_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace manylight {
+namespace {
+
+// Of the determinant over the cube of the largest axis: flatter instances are repeated, as inverting them loses digits.
+constexpr double kFlattest = 1e-6;
+
+uint64_t trianglesOf(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+    const auto positions = primitive.attributes.find("POSITION");
+    const int accessor = primitive.indices >= 0                         ? primitive.indices
+                         : positions != primitive.attributes.end() ? positions->second
+                                                                        : -1;
+    if (accessor < 0) return 0;
+    const uint64_t corners = model.accessors.at(static_cast<size_t>(accessor)).count;
+    const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
+    return isList ? corners / 3 : corners < 3 ? 0 : corners - 2;
+}
+
+bool canBeInstance(const glm::dmat4& m) {
+    const glm::dmat3 linear(m);
+    const double largest = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+    const double determinant = std::abs(glm::determinant(linear));
+    return std::isfinite(largest) && std::isfinite(glm::length(glm::dvec3(m[3]))) &&
+           determinant > kFlattest * largest * largest * largest;
+}
+
+bool mirrors(const glm::dmat4& m) { return glm::determinant(glm::dmat3(m)) < 0.0; }
+
+/// Uses of one mesh that its triangles can serve as they are: those that mirror it need them turned round.
+struct Group {
+    uint64_t triangles = 0;
+    std::vector<const GltfMeshUse*> uses;
+};
+
+using Groups = std::map<std::pair<int, bool>, Group>;  // by mesh and whether it is mirrored
+
+Groups groupsOf(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses) {
+    std::vector<uint64_t> triangles;
+    for (const tinygltf::Mesh& mesh : gltf.model.meshes) {
+        triangles.push_back(0);
+        for (const tinygltf::Primitive& primitive : mesh.primitives)
+            triangles.back() += trianglesOf(gltf.model, primitive);
+    }
+    Groups groups;
+    uint64_t shown = 0;
+    for (const GltfMeshUse& use : uses) {
+        const uint64_t count = triangles[static_cast<size_t>(use.mesh)];
+        shown += count;
+        checkGltfAmount(gltf, shown, use.place, "triangles");
+        if (count == 0 || !canBeInstance(use.sceneFromMesh)) continue;
+        Group& group = groups[{use.mesh, mirrors(use.sceneFromMesh)}];
+        group.triangles = count;
+        group.uses.push_back(&use);
+    }
+    return groups;
+}
+
+/// Reads the mesh in its own coordinates and takes it out of the scene's own triangles.
+void addSharedMesh(const GltfFile& gltf, int mesh, bool isMirrored, const Group& group, RawScene& scene) {
+    const size_t firstVertex = scene.vertices.size();
+    const size_t firstTriangle = scene.triangles.size();
+    addGltfMesh(gltf, mesh, glm::dmat4(1.0), isMirrored, scene);
+    RawMesh shared;
+    shared.vertices.assign(scene.vertices.begin() + static_cast<std::ptrdiff_t>(firstVertex), scene.vertices.end());
+    shared.triangles.assign(scene.triangles.begin() + static_cast<std::ptrdiff_t>(firstTriangle),
+                            scene.triangles.end());
+    for (RawTriangle& triangle : shared.triangles)
+        for (uint32_t& vertex : triangle.vertex) vertex -= static_cast<uint32_t>(firstVertex);
+    scene.vertices.resize(firstVertex);
+    scene.triangles.resize(firstTriangle);
+    for (const GltfMeshUse* use : group.uses)
+        scene.instances.push_back({static_cast<uint32_t>(scene.meshes.size()), use->sceneFromMesh});
+    scene.meshes.push_back(std::move(shared));
+}
+
+}  // namespace
+
+void addGltfMeshUses(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses, const ImportOptions& options,
+                     RawScene& scene) {
+    Groups groups;
+    std::vector<RepeatedMesh> repeated;
+    if (options.instances != InstanceMode::Flatten) {
+        groups = groupsOf(gltf, uses);
+        for (const auto& [key, group] : groups) repeated.push_back({group.triangles, group.uses.size()});
+    }
+    scene.sharing = chooseSharing(repeated, options.instances);
+    std::erase_if(groups, [&](const auto& entry) {
+        const RepeatedMesh mesh{entry.second.triangles, entry.second.uses.size()};
+        return !scene.sharing.shares || !isSharedWhere(mesh, options.instances);
+    });
+    for (const GltfMeshUse& use : uses) {
+        const bool isMirrored = mirrors(use.sceneFromMesh);
+        const bool isShared = canBeInstance(use.sceneFromMesh) && groups.contains({use.mesh, isMirrored});
+        if (!isShared) addGltfMesh(gltf, use.mesh, use.sceneFromMesh, isMirrored, scene);
+    }
+    for (const auto& [key, group] : groups) addSharedMesh(gltf, key.first, key.second, group, scene);
+}
+
+}  // namespace manylight

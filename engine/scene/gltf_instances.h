@@ -1,0 +1,24 @@
+// What the nodes show of a glTF file's meshes, shared or repeated.
+#pragma once
+
+#include "engine/scene/gltf_accessor.h"
+#include "engine/scene/import_options.h"
+#include "engine/scene/raw_scene.h"
+
+#include <vector>
+
+namespace manylight {
+
+/// One mesh at one place.
+struct GltfMeshUse {
+    int mesh = 0;
+    glm::dmat4 sceneFromMesh{1.0};
+    std::string place;  // JSON path of the node
+};
+
+/// Appends the meshes, in the order of their uses: as triangles in the scene's space, or as shared meshes and instances
+/// where chooseSharing() says so.
+void addGltfMeshUses(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses, const ImportOptions& options,
+                     RawScene& scene);
+
+}  // namespace manylight
