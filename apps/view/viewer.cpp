@@ -219,7 +219,7 @@ void Viewer::compareSides() {
     if (!isNew || (comparison_.report() && script_.empty() && secondsSince(comparedAt_) < kComparePeriod)) return;
     presenter_.finish();
     try {
-        comparison_.update(main_.renderer(), reference_ ? *reference_ : other_.renderer().radiance());
+        comparison_.update(main_.renderer(), reference_ ? *reference_ : other_.renderer().radiance(), isDone());
     } catch (const Error& error) {
         tell(error.what(), true);
     }
