@@ -14,7 +14,7 @@ constexpr double kFlipPause = 5.0;  // times as long as it took
 
 }  // namespace
 
-void Comparison::update(Renderer& side, const Image& reference) {
+void Comparison::update(Renderer& side, const Image& reference, bool isLast) {
     const Image test = side.radiance();
     if (test.width != reference.width || test.height != reference.height) {
         report_.reset();
@@ -23,6 +23,7 @@ void Comparison::update(Renderer& side, const Image& reference) {
     }
     report_ = compareImages(test, reference);
     paint(test, reference, report_->meanLuminanceReference);
+    if (isLast) flipAt_ = {};
     measureFlip(test, reference);
 }
 

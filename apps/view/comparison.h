@@ -12,9 +12,9 @@ class Comparison {
   public:
     explicit Comparison(gpu::Device& device) : device_(device) {}
 
-    /// Compares mean radiances. The reference is the other side's picture, or a file's. Throws Error if they differ in
-    /// size. Nothing that presents picture() may run.
-    void update(Renderer& side, const Image& reference);
+    /// Compares mean radiances; `isLast`: no further frames will come. The reference is the other side's picture, or a
+    /// file's. Throws Error if they differ in size. Nothing that presents picture() may run.
+    void update(Renderer& side, const Image& reference, bool isLast);
     /// Forgets what was compared.
     void clear();
     const std::optional<ErrorReport>& report() const { return report_; }

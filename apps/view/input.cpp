@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace manylight {
 namespace {
@@ -65,11 +66,14 @@ bool Input::isDown(const std::string& key) const {
 std::vector<std::string> Input::takePressedKeys() {
     std::vector<std::string> pressed(freshKeys_.begin(), freshKeys_.end());
     freshKeys_.clear();
-    if (ImGui::GetIO().WantTextInput) return pressed;
+    std::set<std::string> down;
     for (const KeyBinding& binding : keyBindings()) {
         const int code = glfwKey(binding.key);
-        if (code != GLFW_KEY_UNKNOWN && ImGui::IsKeyPressed(code, false)) pressed.emplace_back(binding.key);
+        if (code != GLFW_KEY_UNKNOWN && glfwGetKey(window_.handle(), code) == GLFW_PRESS) down.insert(binding.key);
     }
+    if (!ImGui::GetIO().WantTextInput)
+        std::set_difference(down.begin(), down.end(), downKeys_.begin(), downKeys_.end(), std::back_inserter(pressed));
+    downKeys_ = std::move(down);
     return pressed;
 }
 

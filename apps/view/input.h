@@ -38,7 +38,8 @@ class Input {
 
     Window& window_;
     std::map<std::string, uint32_t> heldKeys_;  // frames left
-    std::set<std::string> freshKeys_;
+    std::set<std::string> freshKeys_;           // pretended since the last look
+    std::set<std::string> downKeys_;            // of the keyboard, at the last look
     glm::dvec2 dragLeft_{0.0};
     glm::dvec2 dragRight_{0.0};
     uint32_t dragFrames_ = 0;

@@ -18,11 +18,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kScriptedFrame = 1.0 / 30.0;  // seconds, whatever the clock says
-constexpr double kStillAfter = 0.2;            // seconds
 constexpr double kIdlePoll = 0.05;             // seconds between frames that show nothing new
-constexpr double kWatchPeriod = 0.5;           // seconds between looks at the shaders
 constexpr double kMessageSeconds = 6.0;
-constexpr double kComparePeriod = 0.3;  // seconds between comparisons
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -185,80 +182,6 @@ void Viewer::showPanels() {
                                            presenter_.swapchain().describe(), reference_.has_value(), heldLight_});
     if (answer.isDragging) secondsSinceMove_ = 0.0;
     for (const std::string& command : answer.commands) perform(parseCommand(command, "panel"));
-}
-
-void Viewer::render() {
-    state_.isMoving = secondsSinceMove_ < kStillAfter;
-    const bool isLimited = state_.isMoving && state_.view.budget > 0.0;
-    state_.quality = isLimited ? state_.budget.quality(usesVpls(main_.settings)) : FrameQuality{};
-    passTimes_.clear();
-    renderSide(main_, sideView());
-    if (needsOther()) renderSide(other_, sideView());
-}
-
-void Viewer::renderSide(Side& side, const SideView& view) {
-    try {
-        if (side.isStale(view)) {
-            presenter_.finish();
-            comparison_.clear();
-            side.update(*state_.scene, view);
-        }
-    } catch (const Error& error) {
-        tell(error.what(), true);
-    }
-    side.showAsAsked();
-    if (!side.exists() || side.frameCount() >= frameLimit()) return;
-    const Execution execution = side.render();
-    passTimes_.insert(passTimes_.end(), execution.passTimes.begin(), execution.passTimes.end());
-}
-
-void Viewer::compareSides() {
-    if (state_.view.compare != Compare::Difference || state_.isMoving) return comparison_.clear();
-    const glm::uvec2 frames{main_.frameCount(), other_.frameCount()};
-    const bool isNew = frames != comparedFrames_ || !comparison_.report();
-    if (!isNew || (comparison_.report() && script_.empty() && secondsSince(comparedAt_) < kComparePeriod)) return;
-    presenter_.finish();
-    try {
-        comparison_.update(main_.renderer(), reference_ ? *reference_ : other_.renderer().radiance());
-    } catch (const Error& error) {
-        tell(error.what(), true);
-    }
-    comparedFrames_ = frames;
-    comparedAt_ = Clock::now();
-}
-
-void Viewer::present(double since) {
-    const Clock::time_point start = Clock::now();
-    const bool showsDifference = state_.view.compare == Compare::Difference && comparison_.report();
-    const bool isSplit = state_.view.compare == Compare::Split && other_.exists();
-    presenter_.present({.picture = showsDifference ? &comparison_.picture() : &main_.renderer().display(),
-                        .other = isSplit ? &other_.renderer().display() : nullptr,
-                        .divider = static_cast<float>(state_.view.divider)},
-                       *ImGui::GetDrawData());
-    if (passTimes_.empty()) return;
-    const double milliseconds = 1e3 * (since + secondsSince(start));
-    passTimes_.insert(passTimes_.end(), presenter_.passTimes().begin(), presenter_.passTimes().end());
-    state_.times.add(passTimes_, milliseconds);
-    if (state_.isMoving && state_.view.budget > 0.0)
-        state_.budget.report(milliseconds, state_.view.budget, usesVpls(main_.settings));
-}
-
-void Viewer::reloadShaders() {
-    if (secondsSince(watchedAt_) < kWatchPeriod) return;
-    watchedAt_ = Clock::now();
-    for (const CompiledShader& shader : reloader_->compileChanged()) {
-        state_.shaderProblem = shader.problem;
-        if (!shader.problem.empty()) break;
-        presenter_.finish();
-        device_.waitIdle();
-        for (gpu::PipelineLibrary* library :
-             {&presenter_.pipelines(), main_.exists() ? &main_.renderer().pipelines() : nullptr,
-              other_.exists() ? &other_.renderer().pipelines() : nullptr})
-            if (library != nullptr) library->replaceShader(shader.name, shader.words);
-        main_.forget();
-        other_.forget();
-        tell(fmt::format("{} is new", shader.name));
-    }
 }
 
 void Viewer::tell(std::string message, bool isError) {

@@ -48,6 +48,8 @@ TEST_F(ViewerPictures, OfEveryTechniqueAndViewAreThoseOfTheRenderer) {
     settings.width = kWidth;
     settings.height = kHeight;
     settings.vplCount = 12;
+    settings.bounceCount = 2;
+    settings.lightSampleCount = 4;
     settings.jitter = true;
     Renderer renderer(device, scene, settings);
     for (const Case& one : cases()) {
@@ -63,7 +65,7 @@ TEST_F(ViewerPictures, OfASavedViewAreTheSameWithoutAWindow) {
     view(
         "set panel off\nkey w 4\ndrag left 9 4 3\nreport moving.json\nset clamp bound\nadd-light point\n"
         "light 0 brightness 0.5\nframes 2\ncapture seen.png\nsave-view view.json",
-        "--vpls 12 --light-samples 4 --budget 1");
+        "--vpls 12 --budget 1");
     EXPECT_EQ(jsonOf("moving.json")["moving"], true);
     EXPECT_LT(jsonOf("moving.json")["quality"]["scale"], 1.0) << "smaller while it moves";
     EXPECT_EQ(jsonOf("end.json")["quality"]["scale"], 1.0);

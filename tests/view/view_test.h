@@ -35,9 +35,10 @@ class ViewerTest : public testing::SceneFiles {
     /// Runs the viewer in the test's folder, where the script's files are too; no validation message may come.
     void view(const std::string& script, const std::string& options = "") const {
         write("script.txt", script + "\nreport end.json\nquit\n");
-        const std::string command =
-            fmt::format("xvfb-run -a {} {}/scenes/cornell_box.json --size {}x{} {} --script script.txt",
-                        program("view"), MANYLIGHT_SOURCE_DIR, kWidth, kHeight, options);
+        const std::string command = fmt::format(
+            "xvfb-run -a {} {}/scenes/cornell_box.json --size {}x{} --bounces 2 --light-samples 4 {} --script "
+            "script.txt",
+            program("view"), MANYLIGHT_SOURCE_DIR, kWidth, kHeight, options);
         ASSERT_EQ(run(command), 0) << textOf("output");
         EXPECT_EQ(jsonOf("end.json")["validation_messages"], 0) << textOf("output");
     }
