@@ -84,6 +84,11 @@ void uploadEmitters(GpuScene& gpuScene, const EnvironmentTable& environment, con
     gpuScene.environmentCells = uploader.upload("environment cells", environment.cells, kTexel, kWords);
 }
 
+uint64_t emitterBytes(const GpuScene& gpuScene) {
+    return gpuScene.emitters.buffer.size() + gpuScene.emitterChoices.buffer.size() +
+           gpuScene.environmentTexels.buffer.size() + gpuScene.environmentCells.buffer.size();
+}
+
 /// One draw per mesh, which shows all its instances.
 std::vector<DrawRange> drawsOf(const InstanceList& list) {
     std::vector<DrawRange> draws;
@@ -173,31 +178,28 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
                              gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size() +
                              gpuScene.triangleColours.buffer.size() + gpuScene.instances.buffer.size();
     gpuScene.totalBytes = gpuScene.geometryBytes + gpuScene.materials.buffer.size() +
-                          gpuScene.textureInfos.buffer.size() + gpuScene.texels.buffer.size() +
-                          gpuScene.emitters.buffer.size() + gpuScene.emitterChoices.buffer.size() +
-                          gpuScene.environmentTexels.buffer.size() + gpuScene.environmentCells.buffer.size();
+                          gpuScene.textureInfos.buffer.size() + gpuScene.texels.buffer.size() + emitterBytes(gpuScene);
     return gpuScene;
 }
 
-void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene) {
-    std::vector<uint32_t> placeOf(gpuScene.triangleOrder.size());
-    for (uint32_t place = 0; place < placeOf.size(); ++place) placeOf[gpuScene.triangleOrder[place]] = place;
-    std::unordered_map<uint32_t, const shared::Emitter*> emitterAt;
+void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, const ScenePlan& plan) {
+    std::unordered_map<uint32_t, uint32_t> textureAt;
     for (const shared::Emitter& emitter : gpuScene.emitterTable.emitters)
-        if (emitter.kind == shared::kEmitterTriangle) emitterAt[emitter.triangle] = &emitter;
+        if (emitter.kind == shared::kEmitterTriangle) textureAt[emitter.triangle] = emitter.emissionTexture;
 
-    EmitterTable table = buildEmitterTable(scene, gpuScene.sphere.radius);
+    const EnvironmentTable environment = buildEnvironmentTable(scene);
+    EmitterTable table = buildEmitterTable(scene, gpuScene.sphere.radius, environment);
     for (shared::Emitter& emitter : table.emitters) {
         if (emitter.kind != shared::kEmitterTriangle) continue;
-        emitter.triangle = placeOf[emitter.triangle];
-        emitter.emissionTexture = emitterAt.at(emitter.triangle)->emissionTexture;
+        emitter.triangle = gpuScene.numbers.numberOfFlattened(emitter.triangle);
+        emitter.emissionTexture = textureAt.at(emitter.triangle);
     }
-    gpuScene.totalBytes -= gpuScene.emitters.buffer.size();
+    gpuScene.totalBytes -= emitterBytes(gpuScene);
     gpuScene.emitterTable = std::move(table);
     SceneUploader uploader(device);
-    gpuScene.emitters = uploader.upload("emitters", gpuScene.emitterTable.emitters, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    uploadEmitters(gpuScene, environment, plan, uploader);
     uploader.finish();
-    gpuScene.totalBytes += gpuScene.emitters.buffer.size();
+    gpuScene.totalBytes += emitterBytes(gpuScene);
 }
 
 Json GpuScene::report() const {

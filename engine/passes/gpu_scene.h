@@ -46,7 +46,7 @@ struct GpuScene {
 GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh);
 
 /// After a change of the scene's lights; its surfaces are those that were uploaded. The device must be idle.
-void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene);
+void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, const ScenePlan& plan);
 
 /// The scene's buffers in one frame's graph.
 struct SceneHandles {

@@ -146,9 +146,11 @@ void Renderer::lookThrough(const Camera& camera) {
 void Renderer::relight(const Scene& scene) {
     if (reducedScene_) reducedScene_->lights = scene.lights;
     MANYLIGHT_CHECK(scene_.triangles.size() == scene.triangles.size(), "relight() with another scene");
-    plan_ = planScene(scene_, !settings_.plan);
-    replaceEmitters(device_, gpuScene_, scene_);
+    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    replaceEmitters(device_, gpuScene_, scene_, plan_);
     frameCount_ = 0;
+    litArea_.reset();
+    if (settings_.clamp != ClampMode::Off) measureLitArea();
 }
 
 void Renderer::setDisplay(float exposure, ToneCurve curve) {
