@@ -1,6 +1,7 @@
 #include "apps/bench/rays.h"
 
 #include "apps/bench/rays_summary.h"
+#include "apps/common/command_line.h"
 #include "engine/core/error.h"
 
 #include <memory>

@@ -103,6 +103,7 @@ TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const F
 
 Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings)
     : device_(device),
+      givenScene_(scene),
       reducedScene_(settings.materials == Materials::Diffuse ? std::optional(diffuseOnly(scene)) : std::nullopt),
       scene_(reducedScene_ ? *reducedScene_ : scene),
       plan_(planScene(scene_, !settings.plan)),
@@ -130,6 +131,20 @@ void Renderer::restart(const RenderSettings& settings) {
         gatherTuner_ = {};
     }
     frameCount_ = 0;
+}
+
+void Renderer::sceneMoved(const RenderSettings& settings) {
+    if (reducedScene_) {
+        reducedScene_->instances = givenScene_.instances;
+        reducedScene_->lights = givenScene_.lights;
+        reducedScene_->cameras = givenScene_.cameras;
+        reducedScene_->boundsMin = givenScene_.boundsMin;
+        reducedScene_->boundsMax = givenScene_.boundsMax;
+    }
+    plan_ = planScene(scene_, !settings_.plan);
+    moveInstances(device_, gpuScene_, scene_);
+    litArea_.reset();
+    restart(settings);
 }
 
 void Renderer::resolve(const RenderSettings& settings) {

@@ -32,6 +32,10 @@ class Renderer {
     /// Forgets the frames so far. Resolves as the constructor does; `materials` and `plan` stay what they were there.
     void restart(const RenderSettings& settings);
 
+    /// After instances, lights or cameras of the scene have moved, as AnimatedScene::moveTo() does. Restarts, as
+    /// restart() does. Areas and albedos count as what they were.
+    void sceneMoved(const RenderSettings& settings);
+
     /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
     Image radiance();
     /// The picture as displayed: exposure, tone curve; RGB bytes as sRGB-encoded values / 255, row 0 at the top.
@@ -84,6 +88,7 @@ class Renderer {
     void tuneGather(const Execution& execution);
 
     gpu::Device& device_;
+    const Scene& givenScene_;
     std::optional<Scene> reducedScene_;  // with --materials diffuse
     const Scene& scene_;
     RenderSettings settings_;
