@@ -1,5 +1,6 @@
 #include "apps/capture/capture.h"
 
+#include "apps/capture/animation.h"
 #include "apps/capture/aovs.h"
 #include "apps/capture/frame_loop.h"
 #include "apps/capture/outputs.h"
@@ -94,31 +95,14 @@ Json makeReport(const gpu::Device& device, const Scene& scene, const Renderer& r
 
 }  // namespace
 
-void capture(const CaptureOptions& options) {
-    if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
-    checkOutputs(options);
-
-    const auto start = Clock::now();
-    const Scene scene = importScene(options.scene, {.instances = instanceModeFrom(options.instances)});
-    const double importSeconds = secondsSince(start);
-    printWarnings(scene.warnings);
-    RenderSettings settings = resolveSettings(scene, options.settings);
-    settings.jitter = options.mostFrames() > 1;
-
-    gpu::Device device({.select = options.device});
-    Renderer renderer(device, scene, settings);
-    if (options.explain) fmt::print("{}", explain(renderer.plan()));
-    if (!options.dumpGraph.empty()) writeGraph(renderer, options.dumpGraph);
-    if (options.sideBySide) {
-        writeSideBySide(options.outputs, renderSideBySide(renderer, options));
-        printWarnings(renderer.warnings());
-        return;
-    }
-
+std::optional<Json> capturePicture(gpu::Device& device, const Scene& scene, Renderer& renderer,
+                                   const CaptureOptions& options, double importSeconds) {
     prepareAovs(renderer, options.aovs);
     if (options.targetError > 0.0) renderer.keepVariance(true);
     renderer.executor().dumpAfter(options.dumpPass);
     Frames frames = renderFrames(renderer, options);
+    const bool isOneOfMany = !options.animate.empty();
+    if (isOneOfMany && frames.endedBy == std::string("interrupt")) return std::nullopt;
     if (renderer.keepsVariance() && renderer.frameCount() > 1) frames.relativeError = renderer.relativeStandardError();
     renderer.executor().dumpAfter("");
     const Image radiance = renderer.radiance();
@@ -134,6 +118,33 @@ void capture(const CaptureOptions& options) {
     if (frames.endedBy == std::string("interrupt"))
         fail("interrupted: the picture has {} frame(s)", report["frames"].get<uint32_t>());
     if (nonFinite > 0) fail("{} channel values of the picture are not finite (written all the same)", nonFinite);
+    return report;
+}
+
+void capture(const CaptureOptions& options) {
+    if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
+    if (!options.animate.empty()) return captureAnimation(options);
+    checkOutputs(options);
+
+    const auto start = Clock::now();
+    const Scene scene = importScene(
+        options.scene, {.instances = instanceModeFrom(options.instances), .time = options.sceneTime});
+    const double importSeconds = secondsSince(start);
+    printWarnings(scene.warnings);
+    RenderSettings settings = resolveSettings(scene, options.settings);
+    settings.jitter = options.mostFrames() > 1;
+
+    gpu::Device device({.select = options.device});
+    Renderer renderer(device, scene, settings);
+    if (options.explain) fmt::print("{}", explain(renderer.plan()));
+    if (!options.dumpGraph.empty()) writeGraph(renderer, options.dumpGraph);
+    if (options.sideBySide) {
+        writeSideBySide(options.outputs, renderSideBySide(renderer, options));
+        printWarnings(renderer.warnings());
+        return;
+    }
+
+    capturePicture(device, scene, renderer, options, importSeconds);
 }
 
 }  // namespace manylight

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/common/command_line.h"
+#include "engine/techniques/renderer.h"
 
 #include <filesystem>
 
@@ -20,6 +21,9 @@ struct CaptureOptions {
     std::string dumpPass;
     bool explain = false;
     std::string instances = "auto";
+    std::optional<double> sceneTime;  // seconds into the scene's animation
+    std::string animate;              // FROM:TO:RATE, see animation.h
+    bool showsProgress = true;
     std::string device;
     TypedSettings settings;
 
@@ -28,6 +32,10 @@ struct CaptureOptions {
         return frameCount > 0 ? frameCount : endsOtherwise ? 1u << 24 : 1u;
     }
 };
+
+/// Renders and writes one picture; returns its report, or nothing if it was interrupted: then nothing is written.
+std::optional<Json> capturePicture(gpu::Device& device, const Scene& scene, Renderer& renderer,
+                                   const CaptureOptions& options, double importSeconds);
 
 /// Throws Error before any rendering if an output cannot be what it is asked to be.
 void capture(const CaptureOptions& options);

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
         "  manylight-capture scenes/cornell_box.json -o box.png\n"
         "  manylight-capture scene.gltf -o scene.exr -o scene.png --vpls 2000 --frames 16 --report scene.json\n"
         "  manylight-capture scenes/cornell_box.json -o vpls.png --show vpls --vpls 250\n"
+        "  manylight-capture moving.glb -o frames/####.png --animate 0:2:24 --frames 8\n"
         "Exit codes: 0 done, 1 something failed (file, device), 2 wrong usage.\n"
         "MANYLIGHT_VALIDATION=off|core|sync turns Vulkan's validation on.");
 
@@ -36,6 +37,13 @@ int main(int argc, char** argv) {
     app.add_option("--report", options.report, "run report as JSON");
     app.add_option("--dump-graph", options.dumpGraph, "write FILE.dot and FILE.json: the frame graph");
     app.add_option("--dump-pass", options.dumpPass, "write every image this pass wrote beside the output, as EXR");
+    app.add_option("--at", options.sceneTime, "the scene's animation so many seconds after its start")
+        ->check(CLI::Range(0.0, 1e9));
+    app.add_option("--animate", options.animate,
+                   "a picture for every moment of the animation: 0:2:24 is 0 to 2 s at 24 a second; # signs in the names "
+                   "of outputs become its number")
+        ->type_name("FROM:TO:RATE")
+        ->excludes("--at");
     addInstancesOption(app, options.instances);
     app.add_flag("--explain", options.explain, "print what this scene does not need, and why");
     app.add_option("--device", options.device, "index or part of the name of a Vulkan device");

@@ -21,9 +21,9 @@ glm::vec3 rowOf(const glm::mat3& m, int row) { return {m[0][row], m[1][row], m[2
 
 }  // namespace
 
-TopLevel buildTopLevel(const Scene& scene, const InstanceList& list) {
+TopLevel buildTopLevel(const std::vector<Bounds>& ofInstances) {
     std::vector<Box> boxes;
-    for (const Bounds& bounds : boundsOfInstances(scene, list)) boxes.push_back(withRoom(bounds));
+    for (const Bounds& bounds : ofInstances) boxes.push_back(withRoom(bounds));
     constexpr BvhOptions kOneEach{.maxLeafSize = 1};
     Bvh bvh = layoutTree(buildSahTree(boxes, kOneEach));
     if (!fitsStack(bvh)) bvh = layoutTree(buildBalancedTree(boxes, kOneEach));
@@ -32,8 +32,8 @@ TopLevel buildTopLevel(const Scene& scene, const InstanceList& list) {
     return {std::move(bvh.nodes), std::move(bvh.triangleOrder), bvh.depth};
 }
 
-std::vector<shared::Instance> packInstances(const InstanceList& list, const Bvh& bvh, const TopLevel& top,
-                                            uint32_t firstNode) {
+std::vector<shared::Instance> packInstances(const InstanceList& list, const std::vector<uint32_t>& roots,
+                                            const TopLevel& top, uint32_t firstNode) {
     std::vector<shared::Instance> records;
     records.reserve(list.instances.size() + 1);
     for (size_t i = 0; i < list.instances.size(); ++i) {
@@ -41,7 +41,7 @@ std::vector<shared::Instance> packInstances(const InstanceList& list, const Bvh&
         const glm::mat3 meshFromScene(glm::inverse(glm::dmat3(instance.sceneFromMesh)));
         records.push_back({
             .meshFromScene0 = rowOf(meshFromScene, 0),
-            .bvhRoot = firstNode + bvh.roots[instance.mesh],
+            .bvhRoot = firstNode + roots[instance.mesh],
             .meshFromScene1 = rowOf(meshFromScene, 1),
             .numberOffset = list.firstNumbers[i] - list.meshes[instance.mesh].firstTriangle,
             .meshFromScene2 = rowOf(meshFromScene, 2),

@@ -14,11 +14,11 @@ struct TopLevel {
 };
 
 /// By the same heuristic as the BVHs of meshes. Boxes have room for the rounding of rays on their way into meshes.
-TopLevel buildTopLevel(const Scene& scene, const InstanceList& list);
+TopLevel buildTopLevel(const std::vector<Bounds>& ofInstances);
 
-/// One record per instance, and one behind them. `bvh` is buildBvh(scene)'s; its nodes start at `firstNode`.
-std::vector<shared::Instance> packInstances(const InstanceList& list, const Bvh& bvh, const TopLevel& top,
-                                            uint32_t firstNode);
+/// One record per instance, and one behind them. `roots` are Bvh::roots, of nodes that start at `firstNode`.
+std::vector<shared::Instance> packInstances(const InstanceList& list, const std::vector<uint32_t>& roots,
+                                            const TopLevel& top, uint32_t firstNode);
 
 /// Appends nodes whose children and triangles follow what is there: `firstTriangle` triangles, so far.
 void appendNodes(std::vector<shared::BvhNode>& nodes, const std::vector<shared::BvhNode>& more, uint32_t firstTriangle);

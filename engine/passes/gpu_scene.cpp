@@ -1,5 +1,6 @@
 #include "engine/passes/gpu_scene.h"
 
+#include "engine/core/check.h"
 #include "engine/gpu/transfer.h"
 #include "engine/passes/pack_materials.h"
 #include "engine/scene/texture_mean.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <unordered_map>
 
 namespace manylight {
 namespace {
@@ -33,6 +33,11 @@ class SceneUploader {
             {}};
         uploader_.upload(buffer.buffer, bytes);
         return buffer;
+    }
+    /// Writes the start of a buffer anew.
+    template <typename T>
+    void renew(const PhysicalBuffer& buffer, const std::vector<T>& content) {
+        uploader_.upload(buffer.buffer, std::as_bytes(std::span(content)));
     }
     void finish() { uploader_.flush(); }
 
@@ -61,13 +66,13 @@ void measureSurfaces(GpuScene& gpuScene, const Scene& scene, const InstanceList&
 }
 
 /// From the scene's order of triangles to the BVH's, and to the textures as they were packed.
-void locateEmitters(EmitterTable& table, const Scene& scene, const PackedMaterials& packed,
+void locateEmitters(EmitterTable& table, const Scene& scene, const std::vector<uint32_t>& emissionTextures,
                     const TriangleNumbers& numbers) {
     for (shared::Emitter& emitter : table.emitters) {
         if (emitter.kind != shared::kEmitterTriangle) continue;
         emitter.triangle = numbers.numberOfFlattened(emitter.triangle);
         const Triangle& triangle = scene.triangles[numbers.sceneTriangle(emitter.triangle)];
-        emitter.emissionTexture = packed.materials[triangle.material].emissionTexture;
+        emitter.emissionTexture = emissionTextures[triangle.material];
     }
 }
 
@@ -101,21 +106,32 @@ std::vector<DrawRange> drawsOf(const InstanceList& list) {
     return draws;
 }
 
-/// The upper level first, with room for what it may become when instances move; then the meshes' nodes.
-struct Levels {
-    std::vector<shared::BvhNode> nodes;
-    std::vector<shared::Instance> instances{{}};  // none: one record that nothing reads
+/// The upper level and the records of instances; without two levels one record that nothing reads.
+struct UpperLevel {
+    std::vector<shared::BvhNode> nodes;  // one for each instance, as many as there may be
+    std::vector<shared::Instance> instances{{}};
     uint32_t depth = 0;
 };
 
-Levels makeLevels(const Scene& scene, const ScenePlan& plan, const InstanceList& list, const Bvh& bvh) {
-    if (!plan.instanced) return {.nodes = bvh.nodes, .instances = {{}}, .depth = bvh.depth};
-    TopLevel top = buildTopLevel(scene, list);
-    Levels levels{.nodes = top.nodes, .instances = {}, .depth = top.depth + bvh.depth};
-    levels.nodes.resize(list.instances.size());
-    levels.instances = packInstances(list, bvh, top, static_cast<uint32_t>(levels.nodes.size()));
-    appendNodes(levels.nodes, bvh.nodes, 0);
-    return levels;
+UpperLevel makeUpperLevel(const GpuScene& gpuScene, const InstanceList& list) {
+    if (gpuScene.instanceCount == 0) return {};
+    TopLevel top = buildTopLevel(gpuScene.instanceBounds);
+    UpperLevel upper{.nodes = top.nodes, .instances = {}, .depth = top.depth};
+    upper.nodes.resize(list.instances.size());
+    upper.instances = packInstances(list, gpuScene.meshRoots, top, static_cast<uint32_t>(upper.nodes.size()));
+    return upper;
+}
+
+/// Fills the table of emitters, and returns that of the environment, which is part of it.
+EnvironmentTable makeEmitters(GpuScene& gpuScene, const Scene& scene) {
+    gpuScene.sphere = boundingSphere(scene);
+    EnvironmentTable environment = buildEnvironmentTable(scene);
+    gpuScene.environmentSize = environment.size;
+    gpuScene.environmentCellSide = environment.cellSide;
+    gpuScene.environmentTurn = environment.turn;
+    gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius, environment);
+    locateEmitters(gpuScene.emitterTable, scene, gpuScene.emissionTextures, gpuScene.numbers);
+    return environment;
 }
 
 }  // namespace
@@ -146,18 +162,18 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     gpuScene.instanceCount = plan.instanced ? static_cast<uint32_t>(list.instances.size()) : 0;
     gpuScene.draws = drawsOf(list);
     gpuScene.numbers = TriangleNumbers(list, bvh.triangleOrder);
-    gpuScene.sphere = boundingSphere(scene);
-    const EnvironmentTable environment = buildEnvironmentTable(scene);
-    gpuScene.environmentSize = environment.size;
-    gpuScene.environmentCellSide = environment.cellSide;
-    gpuScene.environmentTurn = environment.turn;
-    gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius, environment);
-    locateEmitters(gpuScene.emitterTable, scene, packed, gpuScene.numbers);
+    for (const shared::Material& material : packed.materials)
+        gpuScene.emissionTextures.push_back(material.emissionTexture);
+    const EnvironmentTable environment = makeEmitters(gpuScene, scene);
     measureSurfaces(gpuScene, scene, list);
-    const Levels levels = makeLevels(scene, plan, list, bvh);
+    gpuScene.meshRoots = bvh.roots;
+    if (plan.instanced) gpuScene.instanceBounds = boundsOfInstances(scene, list);
+    const UpperLevel upper = makeUpperLevel(gpuScene, list);
+    std::vector<shared::BvhNode> nodes = upper.nodes;
+    appendNodes(nodes, bvh.nodes, 0);
 
     SceneUploader uploader(device);
-    gpuScene.bvhNodes = uploader.upload("BVH nodes", levels.nodes, kTexel, VK_FORMAT_R32G32B32A32_UINT);
+    gpuScene.bvhNodes = uploader.upload("BVH nodes", nodes, kTexel, VK_FORMAT_R32G32B32A32_UINT);
     std::vector<glm::vec4> corners = packTriangles(scene, bvh);
     corners.resize(std::max<size_t>(corners.size(), 3));  // rays that meet nothing look at the first triangle
     gpuScene.triangles =
@@ -169,11 +185,11 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     gpuScene.textureInfos = uploader.upload("texture infos", packed.textureInfos, kStorage);
     gpuScene.texels = uploader.upload("texels", packed.texels, kTexel, VK_FORMAT_R8G8B8A8_UNORM);
     uploadEmitters(gpuScene, environment, plan, uploader);
-    gpuScene.instances = uploader.upload("instances", levels.instances, kTexel, VK_FORMAT_R32G32B32A32_UINT);
+    gpuScene.instances = uploader.upload("instances", upper.instances, kTexel, VK_FORMAT_R32G32B32A32_UINT);
     uploader.finish();
 
-    gpuScene.bvhNodeCount = levels.nodes.size();
-    gpuScene.bvhDepth = levels.depth;
+    gpuScene.bvhNodeCount = nodes.size();
+    gpuScene.bvhDepth = upper.depth + bvh.depth;
     gpuScene.geometryBytes = gpuScene.bvhNodes.buffer.size() + gpuScene.triangles.buffer.size() +
                              gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size() +
                              gpuScene.triangleColours.buffer.size() + gpuScene.instances.buffer.size();
@@ -183,23 +199,26 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
 }
 
 void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, const ScenePlan& plan) {
-    std::unordered_map<uint32_t, uint32_t> textureAt;
-    for (const shared::Emitter& emitter : gpuScene.emitterTable.emitters)
-        if (emitter.kind == shared::kEmitterTriangle) textureAt[emitter.triangle] = emitter.emissionTexture;
-
-    const EnvironmentTable environment = buildEnvironmentTable(scene);
-    EmitterTable table = buildEmitterTable(scene, gpuScene.sphere.radius, environment);
-    for (shared::Emitter& emitter : table.emitters) {
-        if (emitter.kind != shared::kEmitterTriangle) continue;
-        emitter.triangle = gpuScene.numbers.numberOfFlattened(emitter.triangle);
-        emitter.emissionTexture = textureAt.at(emitter.triangle);
-    }
     gpuScene.totalBytes -= emitterBytes(gpuScene);
-    gpuScene.emitterTable = std::move(table);
+    const EnvironmentTable environment = makeEmitters(gpuScene, scene);
     SceneUploader uploader(device);
     uploadEmitters(gpuScene, environment, plan, uploader);
     uploader.finish();
     gpuScene.totalBytes += emitterBytes(gpuScene);
+}
+
+void moveInstances(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, const ScenePlan& plan) {
+    const InstanceList list = listInstances(scene);
+    MANYLIGHT_CHECK(list.triangleCount() == gpuScene.triangleCount, "instances that moved");
+    if (gpuScene.instanceCount > 0) {
+        SceneUploader uploader(device);
+        gpuScene.instanceBounds = boundsOfInstances(scene, list);
+        const UpperLevel upper = makeUpperLevel(gpuScene, list);
+        uploader.renew(gpuScene.bvhNodes, upper.nodes);
+        uploader.renew(gpuScene.instances, upper.instances);
+        uploader.finish();
+    }
+    replaceEmitters(device, gpuScene, scene, plan);
 }
 
 Json GpuScene::report() const {

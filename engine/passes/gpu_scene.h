@@ -27,10 +27,13 @@ struct GpuScene {
     float environmentTurn = 0.0f;
     PhysicalBuffer instances;  // if there are two levels
 
-    uint32_t triangleCount = 0;    // with all repeats
-    uint32_t instanceCount = 0;    // 0: every triangle is in the scene's frame
-    TriangleNumbers numbers;       // of the triangles that the device talks of
-    std::vector<DrawRange> draws;  // all triangles, for rasterisation
+    uint32_t triangleCount = 0;       // with all repeats
+    uint32_t instanceCount = 0;       // 0: every triangle is in the scene's frame
+    TriangleNumbers numbers;          // of the triangles that the device talks of
+    std::vector<uint32_t> meshRoots;  // nodes, before those of the upper level are counted
+    std::vector<Bounds> instanceBounds;
+    std::vector<uint32_t> emissionTextures;  // of the materials
+    std::vector<DrawRange> draws;            // all triangles, for rasterisation
     EmitterTable emitterTable;
     BoundingSphere sphere;
     double surfaceArea = 0.0;    // of all triangles, normalised frame
@@ -47,6 +50,9 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
 
 /// After a change of the scene's lights; its surfaces are those that were uploaded. The device must be idle.
 void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, const ScenePlan& plan);
+/// After instances and lights of the scene have moved, nothing else: renews the upper level and the emitters. The
+/// number of instances is what it was. The device must be idle.
+void moveInstances(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, const ScenePlan& plan);
 
 /// The scene's buffers in one frame's graph.
 struct SceneHandles {

@@ -66,23 +66,33 @@ tinygltf::Model parseModel(const GltfContainer& container) {
     return model;
 }
 
+std::shared_ptr<const GltfFile> open(const std::filesystem::path& path, Warnings& warnings) {
+    const auto gltf = std::make_shared<GltfFile>();
+    gltf->container = openGltf(path, warnings);
+    checkGltf(JsonView(gltf->container.json, gltf->container.file), warnings);
+    loadGltfBuffers(gltf->container, warnings);
+    gltf->mostElements = mostElementsFor(gltf->container.byteCount);
+    gltf->model = parseModel(gltf->container);
+    if (gltf->container.json.contains("bufferViews")) gltf->viewCount = gltf->container.json["bufferViews"].size();
+    checkNothingLost(*gltf);
+    return gltf;
+}
+
 }  // namespace
 
 RawScene readGltf(const std::filesystem::path& path, const ImportOptions& options) {
     RawScene scene;
     scene.name = path.stem().string();
     scene.path = path;
-    GltfFile gltf;
-    gltf.container = openGltf(path, scene.warnings);
-    checkGltf(JsonView(gltf.container.json, gltf.container.file), scene.warnings);
-    loadGltfBuffers(gltf.container, scene.warnings);
-    gltf.mostElements = mostElementsFor(gltf.container.byteCount);
-    gltf.model = parseModel(gltf.container);
-    if (gltf.container.json.contains("bufferViews")) gltf.viewCount = gltf.container.json["bufferViews"].size();
-    checkNothingLost(gltf);
-    addGltfMaterials(gltf, scene);
-    addGltfNodes(gltf, options, scene);
-    dropUnusedDefaultMaterial(scene);
+    std::shared_ptr<const GltfFile> gltf = options.opened ? *options.opened : nullptr;
+    if (!gltf) gltf = open(path, scene.warnings);
+    if (options.opened) *options.opened = gltf;
+    if (!options.time && gltf->container.json.contains("animations"))
+        scene.warnings.add("animations ignored: nodes keep their rest pose", {},
+                           gltf->container.json["animations"].size());
+    if (!options.placesOnly) addGltfMaterials(*gltf, scene);
+    addGltfNodes(*gltf, options, scene);
+    if (!options.placesOnly) dropUnusedDefaultMaterial(scene);
     return scene;
 }
 

@@ -99,8 +99,6 @@ void checkGltfNodes(const JsonView& root, Warnings& warnings) {
     checkScenes(root, hasParent.size());
     forEachGltf(root, "cameras", checkCamera);
     checkLights(root, warnings);
-    if (root.has("animations"))
-        warnings.add("animations ignored: nodes keep their rest pose", {}, root.at("animations").size());
 }
 
 }  // namespace manylight

@@ -38,11 +38,12 @@ bool mirrors(const glm::dmat4& m) { return glm::determinant(glm::dmat3(m)) < 0.0
 struct Group {
     uint64_t triangles = 0;
     std::vector<const GltfMeshUse*> uses;
+    bool moves = false;
 };
 
 using Groups = std::map<std::pair<int, bool>, Group>;  // by mesh and whether it is mirrored
 
-Groups groupsOf(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses) {
+Groups groupsOf(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses, const ImportOptions& options) {
     std::vector<uint64_t> triangles;
     for (const tinygltf::Mesh& mesh : gltf.model.meshes) {
         triangles.push_back(0);
@@ -59,12 +60,13 @@ Groups groupsOf(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses) {
         Group& group = groups[{use.mesh, mirrors(use.sceneFromMesh)}];
         group.triangles = count;
         group.uses.push_back(&use);
+        group.moves = group.moves || (options.keepsMoving && use.moves);
     }
     return groups;
 }
 
 /// Reads the mesh in its own coordinates and takes it out of the scene's own triangles.
-void addSharedMesh(const GltfFile& gltf, int mesh, bool isMirrored, const Group& group, RawScene& scene) {
+RawMesh readSharedMesh(const GltfFile& gltf, int mesh, bool isMirrored, RawScene& scene) {
     const size_t firstVertex = scene.vertices.size();
     const size_t firstTriangle = scene.triangles.size();
     addGltfMesh(gltf, mesh, glm::dmat4(1.0), isMirrored, scene);
@@ -76,9 +78,22 @@ void addSharedMesh(const GltfFile& gltf, int mesh, bool isMirrored, const Group&
         for (uint32_t& vertex : triangle.vertex) vertex -= static_cast<uint32_t>(firstVertex);
     scene.vertices.resize(firstVertex);
     scene.triangles.resize(firstTriangle);
-    for (const GltfMeshUse* use : group.uses)
-        scene.instances.push_back({static_cast<uint32_t>(scene.meshes.size()), use->sceneFromMesh});
-    scene.meshes.push_back(std::move(shared));
+    return shared;
+}
+
+/// Which groups are shared, and why.
+SharingChoice chooseGroups(Groups& groups, const ImportOptions& options) {
+    std::vector<RepeatedMesh> repeated;
+    for (const auto& [key, group] : groups) repeated.push_back({group.triangles, group.uses.size()});
+    SharingChoice choice = chooseSharing(repeated, options.instances);
+    std::erase_if(groups, [&](const auto& entry) {
+        const Group& group = entry.second;
+        const bool saves = isSharedWhere({group.triangles, group.uses.size()}, options.instances);
+        return !group.moves && !(choice.shares && saves);
+    });
+    if (!choice.shares && !groups.empty())
+        choice = {true, fmt::format("{} meshes move", groups.size()), 0};
+    return choice;
 }
 
 }  // namespace
@@ -86,22 +101,24 @@ void addSharedMesh(const GltfFile& gltf, int mesh, bool isMirrored, const Group&
 void addGltfMeshUses(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses, const ImportOptions& options,
                      RawScene& scene) {
     Groups groups;
-    std::vector<RepeatedMesh> repeated;
-    if (options.instances != InstanceMode::Flatten) {
-        groups = groupsOf(gltf, uses);
-        for (const auto& [key, group] : groups) repeated.push_back({group.triangles, group.uses.size()});
-    }
-    scene.sharing = chooseSharing(repeated, options.instances);
-    std::erase_if(groups, [&](const auto& entry) {
-        const RepeatedMesh mesh{entry.second.triangles, entry.second.uses.size()};
-        return !scene.sharing.shares || !isSharedWhere(mesh, options.instances);
-    });
+    if (options.instances != InstanceMode::Flatten || options.keepsMoving) groups = groupsOf(gltf, uses, options);
+    scene.sharing = chooseGroups(groups, options);
     for (const GltfMeshUse& use : uses) {
+        if (options.placesOnly) break;
         const bool isMirrored = mirrors(use.sceneFromMesh);
         const bool isShared = canBeInstance(use.sceneFromMesh) && groups.contains({use.mesh, isMirrored});
-        if (!isShared) addGltfMesh(gltf, use.mesh, use.sceneFromMesh, isMirrored, scene);
+        if (isShared) continue;
+        if (options.keepsMoving && use.moves)
+            scene.warnings.add("moving meshes not shown where their scale is zero", use.place);
+        else
+            addGltfMesh(gltf, use.mesh, use.sceneFromMesh, isMirrored, scene);
     }
-    for (const auto& [key, group] : groups) addSharedMesh(gltf, key.first, key.second, group, scene);
+    uint32_t number = 0;
+    for (const auto& [key, group] : groups) {
+        for (const GltfMeshUse* use : group.uses) scene.instances.push_back({number, use->sceneFromMesh});
+        if (!options.placesOnly) scene.meshes.push_back(readSharedMesh(gltf, key.first, key.second, scene));
+        ++number;
+    }
 }
 
 }  // namespace manylight

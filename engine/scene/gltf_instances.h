@@ -13,11 +13,12 @@ namespace manylight {
 struct GltfMeshUse {
     int mesh = 0;
     glm::dmat4 sceneFromMesh{1.0};
-    std::string place;  // JSON path of the node
+    std::string place;   // JSON path of the node
+    bool moves = false;  // by the animation
 };
 
 /// Appends the meshes, in the order of their uses: as triangles in the scene's space, or as shared meshes and instances
-/// where chooseSharing() says so.
+/// where chooseSharing() says so. What moves is an instance with ImportOptions::keepsMoving.
 void addGltfMeshUses(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses, const ImportOptions& options,
                      RawScene& scene);
 

@@ -1,6 +1,7 @@
 #include "engine/scene/gltf_nodes.h"
 
 #include "engine/core/error.h"
+#include "engine/scene/gltf_animation.h"
 #include "engine/scene/gltf_instances.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -29,8 +30,13 @@ glm::dmat4 composed(Numbers translation, Numbers rotation, Numbers scale) {
     return matrix;
 }
 
-glm::dmat4 parentFromNode(const tinygltf::Node& node) {
-    if (node.matrix.size() != 16) return composed(node.translation, node.rotation, node.scale);
+glm::dmat4 parentFromNode(const tinygltf::Node& node, const NodePose& pose) {
+    const auto part = [](const std::optional<std::array<double, 4>>& posed, const std::vector<double>& own, size_t size) {
+        return posed ? Numbers(*posed).first(size) : Numbers(own);
+    };
+    if (node.matrix.size() != 16)
+        return composed(part(pose.translation, node.translation, 3), part(pose.rotation, node.rotation, 4),
+                        part(pose.scale, node.scale, 3));
     glm::dmat4 matrix(1.0);
     for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<size_t>(i)];
     return matrix;
@@ -103,18 +109,23 @@ void addLight(const GltfFile& gltf, int index, const glm::dmat4& sceneFromNode, 
 
 class NodeWalker {
   public:
-    NodeWalker(const GltfFile& gltf, RawScene& scene)
-        : gltf_(gltf), scene_(scene), isVisited_(gltf.model.nodes.size()) {}
+    NodeWalker(const GltfFile& gltf, const ImportOptions& options, RawScene& scene)
+        : gltf_(gltf), scene_(scene), isVisited_(gltf.model.nodes.size()), poses_(isVisited_.size()) {
+        if (!options.time) return;
+        const NodeAnimation animation = readNodeAnimation(gltf, scene.warnings);
+        poses_ = posesAt(animation, poses_.size(), *options.time);
+        scene.animationEnd = animation.end;
+    }
 
     /// Adds cameras and lights; returns the meshes that are shown.
     std::vector<GltfMeshUse> walk() {
         // A stack of our own: the depth of the hierarchy is the file's choice.
         for (const int root : roots()) {
-            stack_.push_back({root, glm::dmat4(1.0)});
+            stack_.push_back({root, glm::dmat4(1.0), false});
             while (!stack_.empty()) {
-                const auto [node, sceneFromParent] = stack_.back();
+                const Pending next = stack_.back();
                 stack_.pop_back();
-                visit(node, sceneFromParent);
+                visit(next);
             }
         }
         const auto unreached = std::count(isVisited_.begin(), isVisited_.end(), false);
@@ -126,6 +137,7 @@ class NodeWalker {
     struct Pending {
         int node;
         glm::dmat4 sceneFromParent;
+        bool parentMoves;
     };
 
     std::vector<int> roots() {
@@ -144,25 +156,29 @@ class NodeWalker {
         return found;
     }
 
-    void visit(int index, const glm::dmat4& sceneFromParent) {
+    void visit(const Pending& pending) {
+        const int index = pending.node;
         const auto number = static_cast<size_t>(index);
         if (isVisited_[number]) fail("{}: nodes[{}]: reached twice, expected a tree", gltf_.container.file, index);
         isVisited_[number] = true;
         const tinygltf::Node& node = gltf_.model.nodes[number];
-        const glm::dmat4 sceneFromNode = sceneFromParent * parentFromNode(node);
-        if (node.mesh >= 0) addInstances(node, fmt::format("nodes[{}]", index), sceneFromNode);
+        const NodePose& pose = poses_[number];
+        const bool moves = pending.parentMoves || pose.translation || pose.rotation || pose.scale;
+        const glm::dmat4 sceneFromNode = pending.sceneFromParent * parentFromNode(node, pose);
+        if (node.mesh >= 0) addInstances(node, fmt::format("nodes[{}]", index), sceneFromNode, moves);
         if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
         if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
             addLight(gltf_, found->second.Get("light").GetNumberAsInt(), sceneFromNode, scene_);
-        for (size_t i = node.children.size(); i-- > 0;) stack_.push_back({node.children[i], sceneFromNode});
+        for (size_t i = node.children.size(); i-- > 0;) stack_.push_back({node.children[i], sceneFromNode, moves});
     }
 
-    void addInstances(const tinygltf::Node& node, const std::string& place, const glm::dmat4& sceneFromNode) {
+    void addInstances(const tinygltf::Node& node, const std::string& place, const glm::dmat4& sceneFromNode,
+                      bool moves) {
         const std::vector<glm::dmat4> instances = instancesOf(gltf_, node);
         drawnPrimitives_ += instances.size() * gltf_.model.meshes.at(static_cast<size_t>(node.mesh)).primitives.size();
         checkGltfAmount(gltf_, drawnPrimitives_, place, "drawn primitives");
         for (const glm::dmat4& nodeFromInstance : instances)
-            uses_.push_back({node.mesh, sceneFromNode * nodeFromInstance, place});
+            uses_.push_back({node.mesh, sceneFromNode * nodeFromInstance, place, moves});
     }
 
     const GltfFile& gltf_;
@@ -170,13 +186,14 @@ class NodeWalker {
     std::vector<GltfMeshUse> uses_;
     size_t drawnPrimitives_ = 0;
     std::vector<bool> isVisited_;
+    std::vector<NodePose> poses_;  // by node
     std::vector<Pending> stack_;
 };
 
 }  // namespace
 
 void addGltfNodes(const GltfFile& gltf, const ImportOptions& options, RawScene& scene) {
-    addGltfMeshUses(gltf, NodeWalker(gltf, scene).walk(), options, scene);
+    addGltfMeshUses(gltf, NodeWalker(gltf, options, scene).walk(), options, scene);
     std::vector<bool> isUsed(gltf.model.meshes.size());
     for (const tinygltf::Node& node : gltf.model.nodes)
         if (node.mesh >= 0) isUsed[static_cast<size_t>(node.mesh)] = true;

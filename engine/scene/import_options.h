@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 namespace manylight {
 
@@ -11,8 +13,15 @@ enum class InstanceMode : uint8_t {
     Share,    // share every mesh that is shown more than once
 };
 
+struct GltfFile;
+
 struct ImportOptions {
     InstanceMode instances = InstanceMode::Auto;
+    std::optional<double> time = std::nullopt;  // seconds into the file's animation; none: the rest pose
+    bool keepsMoving = false;                   // meshes that the animation moves become instances
+    // For another look at the same file: where it is kept open, and whether its meshes are not wanted again.
+    std::shared_ptr<const GltfFile>* opened = nullptr;
+    bool placesOnly = false;
 };
 
 }  // namespace manylight

@@ -40,7 +40,7 @@ glm::vec3 placed(const MeshInstance& instance, const glm::vec3& meshPoint) {
 InstanceList listInstances(const Scene& scene) {
     InstanceList list{scene.meshes, scene.instances, {}};
     if (scene.instances.empty()) {
-        list.meshes = {{0, static_cast<uint32_t>(scene.triangles.size())}};
+        list.meshes = {{.triangleCount = static_cast<uint32_t>(scene.triangles.size())}};
         list.instances = {MeshInstance{}};
     }
     uint64_t number = 0;
@@ -79,6 +79,15 @@ std::vector<Bounds> boundsOfInstances(const Scene& scene, const InstanceList& li
         bounds.push_back(box);
     }
     return bounds;
+}
+
+void setBounds(Scene& scene, const std::vector<Bounds>& ofInstances) {
+    scene.boundsMin = ofInstances.front().low;
+    scene.boundsMax = ofInstances.front().high;
+    for (const Bounds& bounds : ofInstances) {
+        scene.boundsMin = glm::min(scene.boundsMin, bounds.low);
+        scene.boundsMax = glm::max(scene.boundsMax, bounds.high);
+    }
 }
 
 Scene flattened(const Scene& scene) {

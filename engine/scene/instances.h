@@ -32,6 +32,8 @@ struct Bounds {
 };
 /// Of every instance, in the scene's frame.
 std::vector<Bounds> boundsOfInstances(const Scene& scene, const InstanceList& list);
+/// Of everything, once the instances have their places.
+void setBounds(Scene& scene, const std::vector<Bounds>& ofInstances);
 
 /// The same scene with every triangle there once for each instance that shows it, and no instances.
 Scene flattened(const Scene& scene);

@@ -16,7 +16,6 @@ namespace {
 // Beyond this, differences and squares of coordinates leave the range of double.
 constexpr double kLargestCoordinate = 1e150;
 constexpr int kMostFrameRounds = 8;
-constexpr float kSmallestInstance = 0x1p-21f;
 
 using Positions = std::vector<glm::vec3>;  // one per raw vertex, in the normalised frame
 
@@ -210,81 +209,55 @@ void convertTriangles(const Part& part, const Positions& positions, size_t mater
 }
 
 /// The shared meshes, each in a frame of its own, in which its diagonal is in [1, 2) too.
-std::vector<SceneFrame> convertMeshes(RawScene& raw, Scene& scene) {
-    std::vector<SceneFrame> frames;
+void convertMeshes(RawScene& raw, Scene& scene) {
     for (RawMesh& mesh : raw.meshes) {
         const Part part{mesh.vertices, mesh.triangles, raw.originLabel};
         dropFaultyTriangles(part, scene.warnings, [&](const RawTriangle& triangle) { return faultOf(part, triangle); });
         const Settled settled = settleFrame(part, {}, scene.warnings);
         const auto first = static_cast<uint32_t>(scene.triangles.size());
         convertTriangles(part, settled.positions, raw.materials.size(), scene);
-        scene.meshes.push_back({first, static_cast<uint32_t>(scene.triangles.size()) - first});
-        frames.push_back(settled.frame);
+        scene.meshes.push_back({first, static_cast<uint32_t>(scene.triangles.size()) - first, settled.frame});
     }
-    std::erase_if(raw.instances,
-                  [&](const RawInstance& instance) { return scene.meshes[instance.mesh].triangleCount == 0; });
-    return frames;
 }
 
 glm::dvec3 filePoint(const SceneFrame& frame, const glm::vec3& point) {
     return frame.center + std::ldexp(1.0, frame.exponent) * glm::dvec3(point);
 }
 
-RawBounds boundsOfInstances(const RawScene& raw, const Scene& scene, const std::vector<SceneFrame>& frames) {
+RawBounds boundsOfInstances(const RawScene& raw, const Scene& scene) {
     RawBounds bounds;
     for (const RawInstance& instance : raw.instances) {
         const SharedMesh& mesh = scene.meshes[instance.mesh];
         for (uint32_t k = 0; k < mesh.triangleCount; ++k)
             for (const uint32_t vertex : scene.triangles[mesh.firstTriangle + k].vertex) {
-                const glm::dvec3 point = filePoint(frames[instance.mesh], scene.vertices[vertex].position);
+                const glm::dvec3 point = filePoint(mesh.frame, scene.vertices[vertex].position);
                 bounds.include(instance.sceneFromMesh * glm::dvec4(point, 1.0));
             }
     }
+    for (const glm::dvec3& point : raw.framePoints)
+        if (isUsable(point)) bounds.include(point);
     return bounds;
 }
 
-/// From the mesh's own frame to the scene's.
-MeshInstance inFrames(const RawInstance& instance, const SceneFrame& mesh, const SceneFrame& scene) {
-    const double scale = std::ldexp(1.0, mesh.exponent - scene.exponent);
-    const glm::dvec3 center = instance.sceneFromMesh * glm::dvec4(mesh.center, 1.0);
-    return {instance.mesh, glm::mat3(scale * glm::dmat3(instance.sceneFromMesh)), normalisedPoint(scene, center)};
-}
-
 /// What is no instance of a shared mesh becomes one mesh more, with one instance.
-void convertInstances(const RawScene& raw, const std::vector<SceneFrame>& frames, uint32_t firstOwnTriangle,
-                      Scene& scene) {
-    for (const RawInstance& source : raw.instances) {
-        const MeshInstance instance = inFrames(source, frames[source.mesh], scene.frame);
-        const glm::mat3& m = instance.sceneFromMesh;
-        if (std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}) < kSmallestInstance)
-            scene.warnings.add("instances of meshes dropped: less than a millionth of the scene");
-        else
-            scene.instances.push_back(instance);
-    }
+void convertInstances(const RawScene& raw, uint32_t firstOwnTriangle, Scene& scene) {
     if (raw.instances.empty()) return scene.meshes.clear();
-    // With instances, what is in the scene's frame needs one too.
+    placeInstances(raw, scene);
     const auto ownCount = static_cast<uint32_t>(scene.triangles.size()) - firstOwnTriangle;
-    if (ownCount == 0 && scene.instances.empty()) {
+    if (ownCount > 0) {
+        scene.instances.push_back({.mesh = static_cast<uint32_t>(scene.meshes.size()), .source = kNoSource});
+        scene.meshes.push_back({firstOwnTriangle, ownCount, scene.frame});
+    } else if (scene.instances.empty()) {
         scene.triangles.clear();
         scene.vertices.clear();
         scene.meshes.clear();
     }
-    if (ownCount == 0) return;
-    scene.instances.push_back({.mesh = static_cast<uint32_t>(scene.meshes.size())});
-    scene.meshes.push_back({firstOwnTriangle, ownCount});
 }
 
 void computeBounds(Scene& scene) {
     if (scene.vertices.empty()) return;
     if (!scene.instances.empty()) {
-        const std::vector<Bounds> all = manylight::boundsOfInstances(scene, listInstances(scene));
-        scene.boundsMin = all.front().low;
-        scene.boundsMax = all.front().high;
-        for (const Bounds& bounds : all) {
-            scene.boundsMin = glm::min(scene.boundsMin, bounds.low);
-            scene.boundsMax = glm::max(scene.boundsMax, bounds.high);
-        }
-        return;
+        return setBounds(scene, manylight::boundsOfInstances(scene, listInstances(scene)));
     }
     scene.boundsMin = scene.boundsMax = scene.vertices.front().position;
     for (const Vertex& vertex : scene.vertices) {
@@ -297,6 +270,33 @@ void computeBounds(Scene& scene) {
 
 glm::vec3 normalisedPoint(const SceneFrame& frame, const glm::dvec3& point) {
     return glm::vec3((point - frame.center) * std::ldexp(1.0, -frame.exponent));
+}
+
+void includeInBounds(Scene& scene, const std::vector<glm::dvec3>& points) {
+    for (const glm::dvec3& point : points) {
+        if (!isUsable(point)) continue;
+        scene.boundsMin = glm::min(scene.boundsMin, normalisedPoint(scene.frame, point));
+        scene.boundsMax = glm::max(scene.boundsMax, normalisedPoint(scene.frame, point));
+    }
+}
+
+void placeInstances(const RawScene& raw, Scene& scene) {
+    constexpr float kSmallest = 0x1p-21f;
+    std::erase_if(scene.instances, [](const MeshInstance& instance) { return instance.source != kNoSource; });
+    std::vector<MeshInstance> placed;
+    for (uint32_t i = 0; i < raw.instances.size(); ++i) {
+        const RawInstance& source = raw.instances[i];
+        const SharedMesh& mesh = scene.meshes[source.mesh];
+        if (mesh.triangleCount == 0) continue;
+        const double scale = std::ldexp(1.0, mesh.frame.exponent - scene.frame.exponent);
+        const glm::dvec3 center = source.sceneFromMesh * glm::dvec4(mesh.frame.center, 1.0);
+        const glm::mat3 m(scale * glm::dmat3(source.sceneFromMesh));
+        if (std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])}) < kSmallest)
+            scene.warnings.add("instances of meshes dropped: less than a millionth of the scene");
+        else
+            placed.push_back({source.mesh, m, normalisedPoint(scene.frame, center), i});
+    }
+    scene.instances.insert(scene.instances.begin(), placed.begin(), placed.end());
 }
 
 Scene normalise(RawScene&& raw) {
@@ -313,14 +313,16 @@ Scene normalise(RawScene&& raw) {
     addRectLights(raw);
     const Part own{raw.vertices, raw.triangles, raw.originLabel};
     dropFaultyTriangles(own, scene.warnings, [&](const RawTriangle& triangle) { return faultOf(own, triangle); });
-    const std::vector<SceneFrame> frames = convertMeshes(raw, scene);
+    convertMeshes(raw, scene);
     const auto firstOwnTriangle = static_cast<uint32_t>(scene.triangles.size());
-    const Settled settled = settleFrame(own, boundsOfInstances(raw, scene, frames), scene.warnings);
+    const Settled settled = settleFrame(own, boundsOfInstances(raw, scene), scene.warnings);
     scene.frame = settled.frame;
     convertTriangles(own, settled.positions, raw.materials.size(), scene);
-    convertInstances(raw, frames, firstOwnTriangle, scene);
+    convertInstances(raw, firstOwnTriangle, scene);
     scene.sharing = raw.sharing;
+    scene.animationEnd = raw.animationEnd;
     computeBounds(scene);
+    includeInBounds(scene, raw.framePoints);
     if (scene.triangles.empty()) scene.warnings.add("scenes without triangles");
 
     convertMaterials(raw, scene);

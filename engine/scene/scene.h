@@ -95,7 +95,10 @@ struct Vertex {
 struct SharedMesh {
     uint32_t firstTriangle = 0;
     uint32_t triangleCount = 0;
+    SceneFrame frame{};  // from there to the mesh's coordinates in the file
 };
+
+inline constexpr uint32_t kNoSource = 0xffffffffu;  // MeshInstance::source of what is no instance in the file
 
 /// A mesh in the scene: scenePoint = sceneFromMesh * meshPoint + center. A mesh that some instances mirror exists twice,
 /// so that triangles are counter-clockwise from their front in the scene.
@@ -103,6 +106,7 @@ struct MeshInstance {
     uint32_t mesh = 0;  // index into Scene::meshes
     glm::mat3 sceneFromMesh{1.0f};
     glm::vec3 center{0.0f};
+    uint32_t source = 0;  // which of the instances in the file
 };
 
 /// Whether meshes that are shown several times are kept once, and why; `savedBytes` of device memory.
@@ -162,6 +166,7 @@ struct Scene {
     std::vector<SharedMesh> meshes;        // of `triangles`, if there are instances
     std::vector<MeshInstance> instances;   // by mesh; none: `triangles` are in the scene's frame, each there once
     SharingChoice sharing;
+    double animationEnd = 0.0;  // seconds of the file's animation; 0: none was asked for, or nothing moves
     std::vector<Material> materials;  // at least one if there are triangles
     std::vector<Texture> textures;
     std::vector<Light> lights;

@@ -106,6 +106,7 @@ TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const F
 
 Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings)
     : device_(device),
+      givenScene_(scene),
       reducedScene_(settings.materials == Materials::Diffuse ? std::optional(diffuseOnly(scene)) : std::nullopt),
       scene_(reducedScene_ ? *reducedScene_ : scene),
       plan_(planScene(scene_, !settings.plan, settings.planKeeps)),
@@ -162,6 +163,20 @@ void Renderer::setDisplay(float exposure, ToneCurve curve) {
     const SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
     graph.keep(declareDisplay(graph, scene, radiance_.sum(graph), frameCount_));
     executor_.execute(graph);
+}
+
+void Renderer::sceneMoved(const RenderSettings& settings) {
+    if (reducedScene_) {
+        reducedScene_->instances = givenScene_.instances;
+        reducedScene_->lights = givenScene_.lights;
+        reducedScene_->cameras = givenScene_.cameras;
+        reducedScene_->boundsMin = givenScene_.boundsMin;
+        reducedScene_->boundsMax = givenScene_.boundsMax;
+    }
+    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    moveInstances(device_, gpuScene_, scene_, plan_);
+    litArea_.reset();
+    restart(settings);
 }
 
 void Renderer::resolve(const RenderSettings& settings) {

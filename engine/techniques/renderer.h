@@ -38,6 +38,9 @@ class Renderer {
     void relight(const Scene& scene);
     /// Keeps the frames so far, and shows them accordingly if there are any.
     void setDisplay(float exposure, ToneCurve curve);
+    /// After instances, lights or cameras of the scene have moved, as AnimatedScene::moveTo() does. Restarts, as
+    /// restart() does. Areas and albedos count as what they were.
+    void sceneMoved(const RenderSettings& settings);
 
     /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
     Image radiance();
@@ -57,8 +60,8 @@ class Renderer {
     double relativeStandardError();
     /// Restarts with, or without, cutOff(). Deferred technique only.
     void keepCutOff(bool keeps);
-    /// Mean radiance that the bound on the geometry term took, like radiance(). With --clamp bound it is what the picture
-    /// lacks.
+    /// Mean radiance that the bound on the geometry term took, like radiance(). With --clamp bound it is what the
+    /// picture lacks.
     Image cutOff();
     /// The VPLs of the last frame, without the padding.
     std::vector<shared::LightData> vpls() const;
@@ -95,6 +98,7 @@ class Renderer {
     void tuneGather(const Execution& execution);
 
     gpu::Device& device_;
+    const Scene& givenScene_;
     std::optional<Scene> reducedScene_;  // with --materials diffuse
     const Scene& scene_;
     RenderSettings settings_;

@@ -14,7 +14,6 @@ uint bvhRootOf(uint instance) { return instanceTexel(instance, 0).w; }
 uint numberOffsetOf(uint instance) { return instanceTexel(instance, 1).w; }
 uint firstNumberOf(uint instance) { return instanceTexel(instance, 2).w; }
 uint instanceOfLeaf(uint leaf) { return instanceTexel(leaf, 3).w; }
-uint instanceCount() { return instanceTexel(0u, 4).w; }
 
 // The instance that was asked for last: the next question is mostly about it again.
 uint lastInstance = 0u;
@@ -25,27 +24,6 @@ void rememberInstance(uint instance) {
     lastInstance = instance;
     lastFirstNumber = firstNumberOf(instance);
     lastNumberCount = firstNumberOf(instance + 1u) - lastFirstNumber;
-}
-
-// Which instance the triangle of that number is in.
-uint instanceOf(uint triangle) {
-    const bool isLast = triangle - lastFirstNumber < lastNumberCount;
-    uint low = isLast ? lastInstance : 0u;
-    uint high = isLast ? lastInstance : instanceCount() - 1u;
-    while (low < high) {
-        const uint middle = (low + high + 1u) / 2u;
-        const bool isAbove = firstNumberOf(middle) > triangle;
-        low = isAbove ? low : middle;
-        high = isAbove ? middle - 1u : high;
-    }
-    rememberInstance(low);
-    return low;
-}
-
-// Where the triangle of that number is stored.
-uint recordOf(uint triangle) {
-    if (kInstanced == 0u) return triangle;
-    return triangle - numberOffsetOf(instanceOf(triangle));
 }
 
 vec3 floatsOf(uvec4 texel) { return vec3(uintBitsToFloat(texel.x), uintBitsToFloat(texel.y), uintBitsToFloat(texel.z)); }

@@ -3,6 +3,7 @@
 #define MANYLIGHT_SURFACE_GLSL
 #include "shaders/lib/bvh.glsl"
 #include "shaders/lib/texture.glsl"
+#include "shaders/lib/triangle_numbers.glsl"
 #include "shaders/shared/bsdf.h"
 #include "shaders/shared/packing.h"
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kTreeSpacing = 3.4;  // metres, on average
 constexpr double kLampSpacing = 9.0;
-constexpr glm::dvec3 kLampRadiance{60.0, 42.0, 20.0};
+constexpr glm::dvec3 kLampRadiance{900.0, 650.0, 330.0};
 
 double angle(SceneRandom& random) { return 2.0 * double{shared::kPi} * random.unit(); }
 
@@ -107,7 +107,7 @@ Json sidecarOf(double half) {
               {"fov_y_deg", 45.0},
               {"width", 512},
               {"height", 384}}},
-            {"lights", {{{"type", "constant"}, {"radiance", {0.02, 0.03, 0.06}}}}}};
+            {"lights", {{{"type", "constant"}, {"radiance", {0.06, 0.09, 0.18}}}}}};
 }
 
 }  // namespace

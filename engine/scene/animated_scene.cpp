@@ -1,0 +1,104 @@
+#include "engine/scene/animated_scene.h"
+
+#include "engine/scene/instances.h"
+#include "engine/scene/normalise.h"
+#include "engine/scene/normalise_parts.h"
+#include "engine/scene/scene_file.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace manylight {
+namespace {
+
+struct RawBox {
+    glm::dvec3 low{std::numeric_limits<double>::max()};
+    glm::dvec3 high{std::numeric_limits<double>::lowest()};
+
+    void include(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+};
+
+RawBox boxOf(const RawMesh& mesh) {
+    RawBox box;
+    for (const RawVertex& vertex : mesh.vertices) box.include(vertex.position);
+    return box;
+}
+
+std::vector<uint32_t> meshesOf(const std::vector<RawInstance>& instances) {
+    std::vector<uint32_t> meshes;
+    for (const RawInstance& instance : instances) meshes.push_back(instance.mesh);
+    return meshes;
+}
+
+}  // namespace
+
+AnimatedScene::AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times)
+    : path_(std::move(path)), options_(options), times_(std::move(times)) {
+    options_.keepsMoving = true;
+    options_.opened = &opened_;
+    read(times_.front());
+}
+
+RawScene AnimatedScene::placesAt(double time) const {
+    ImportOptions options = options_;
+    options.time = time;
+    options.placesOnly = true;
+    return readSceneFile(path_, options);
+}
+
+void AnimatedScene::read(double time) {
+    ImportOptions options = options_;
+    options.time = time;
+    RawScene raw = readSceneFile(path_, options);
+    std::vector<RawBox> boxes;
+    for (const RawMesh& mesh : raw.meshes) boxes.push_back(boxOf(mesh));
+    RawBox all;
+    for (const double other : times_) {
+        const RawScene places = placesAt(other);
+        if (meshesOf(places.instances) != meshesOf(raw.instances)) continue;
+        for (const RawInstance& instance : places.instances)
+            for (int corner = 0; corner < 8; ++corner) {
+                const RawBox& box = boxes[instance.mesh];
+                const glm::dvec3 point(corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
+                                       corner & 4 ? box.low.z : box.high.z);
+                all.include(instance.sceneFromMesh * glm::dvec4(point, 1.0));
+            }
+    }
+    if (!raw.instances.empty()) raw.framePoints = {all.low, all.high};
+    framePoints_ = raw.framePoints;
+    meshOfSource_ = meshesOf(raw.instances);
+    scene_ = normalise(std::move(raw));
+}
+
+AnimatedScene::Change AnimatedScene::moveTo(double time) {
+    const RawScene places = placesAt(time);
+    const size_t before = scene_.instances.size();
+    if (meshesOf(places.instances) != meshOfSource_) {
+        read(time);
+        return Change::Everything;
+    }
+    // Defaults stay: they were chosen for lack of lights and cameras in the file.
+    if (!places.cameras.empty()) {
+        scene_.cameras.clear();
+        convertCameras(places, scene_);
+        addMissingCamera(scene_);
+    }
+    if (!places.lights.empty()) {
+        scene_.lights.clear();
+        convertLights(places, scene_);
+    }
+    if (scene_.instances.empty()) return Change::Places;
+    placeInstances(places, scene_);
+    if (scene_.instances.size() != before) {
+        read(time);
+        return Change::Everything;
+    }
+    setBounds(scene_, boundsOfInstances(scene_, listInstances(scene_)));
+    includeInBounds(scene_, framePoints_);
+    return Change::Places;
+}
+
+}  // namespace manylight

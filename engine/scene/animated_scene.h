@@ -1,0 +1,40 @@
+// A scene file whose animation is played.
+#pragma once
+
+#include "engine/scene/import.h"
+#include "engine/scene/raw_scene.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace manylight {
+
+class AnimatedScene {
+  public:
+    /// Reads the scene at the first of `times` (seconds, at least one), in a frame that holds what moves at all of them.
+    /// Throws Error as importScene() does.
+    AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times);
+
+    const Scene& scene() const { return scene_; }
+
+    enum class Change : uint8_t {
+        Places,      // of instances, lights and cameras: Renderer::sceneMoved() shows them
+        Everything,  // a mesh vanished, appeared or was turned inside out: needs a new Renderer
+    };
+    Change moveTo(double time);
+
+  private:
+    RawScene placesAt(double time) const;
+    void read(double time);
+
+    std::filesystem::path path_;
+    ImportOptions options_;
+    std::vector<double> times_;
+    mutable std::shared_ptr<const GltfFile> opened_;
+    Scene scene_;
+    std::vector<glm::dvec3> framePoints_;  // the bounds hold all of the motion: the camera and lights of all pictures agree
+    std::vector<uint32_t> meshOfSource_;  // of the instances in the file
+};
+
+}  // namespace manylight
