@@ -21,8 +21,8 @@ layout(constant_id = 3) const bool kAlphaTested = false;
 layout(constant_id = 9) const uint kInstanced = 0u;
 #endif
 
-// Does that ray pass through the triangle there? Defined by who knows materials; not asked unless kAlphaTested.
-bool letsThrough(uint triangle, vec2 barycentrics, uint ray);
+// Does that ray pass through the triangle stored there? Defined by who knows materials; not asked unless kAlphaTested.
+bool letsThrough(uint place, vec2 barycentrics, uint ray);
 
 // A number by which a ray meets a translucent surface always in the same way.
 uint numberOfRay(vec3 origin, vec3 direction) {
@@ -117,9 +117,9 @@ uint nextInSlotOrder(uint children, uint siblings, bool inRegisters) {
     return hasSlots(children) ? children : (hasSlots(siblings) ? siblings : last);
 }
 
-// Does the ray meet a triangle below `root` at t in (0, tEnd)? `numberOffset` is added to what triangles are called.
+// Does the ray meet a triangle below `root` at t in (0, tEnd)?
 // `siblings`: node of the first inner child * 256 | slots still to visit, which is in the order of slots.
-bool occludedInTree(TraversalRay ray, float tEnd, uint number, uint root, uint numberOffset, int top) {
+bool occludedInTree(TraversalRay ray, float tEnd, uint number, uint root, int top) {
     beginTraversal(top);
     uint siblings = (root << 8) | 1u;
     uint leafSlots = 0u;
@@ -144,8 +144,8 @@ bool occludedInTree(TraversalRay ray, float tEnd, uint number, uint root, uint n
         bool hitsFirst = hasSlots(leafSlots) && a.isHit && a.t < tEnd;
         bool hitsSecond = hasSlots(leafSlots) && b.isHit && b.t < tEnd;
         if (kAlphaTested) {
-            hitsFirst = hitsFirst && !letsThrough(triangles.first + numberOffset, a.barycentrics, number);
-            hitsSecond = hitsSecond && !letsThrough(triangles.second + numberOffset, b.barycentrics, number);
+            hitsFirst = hitsFirst && !letsThrough(triangles.first, a.barycentrics, number);
+            hitsSecond = hitsSecond && !letsThrough(triangles.second, b.barycentrics, number);
         }
         isHit = hitsFirst || hitsSecond;
         leafSlots -= lowestSlotBit(leafSlots);
@@ -173,7 +173,8 @@ uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings) {
     return goesDown ? others : (goesUp ? last : left);
 }
 
-// The nearer of `best` and what is below `root`, if that is to be visited at all.
+// The nearer of `best` and what is below `root`, if that is to be visited at all. `numberOffset` is added to what
+// triangles are called.
 // `siblings` is a queue, see bvh_ray.h, to be visited after `node`.
 Hit closestHitInTree(TraversalRay ray, bool visitsRoot, Hit best, float tMax, uint number, uint root, uint numberOffset,
                      int top) {
@@ -205,8 +206,8 @@ Hit closestHitInTree(TraversalRay ray, bool visitsRoot, Hit best, float tMax, ui
         a.isHit = a.isHit && hasSlots(leafSlots);
         b.isHit = b.isHit && hasSlots(leafSlots);
         if (kAlphaTested) {
-            a.isHit = a.isHit && !letsThrough(triangles.first + numberOffset, a.barycentrics, number);
-            b.isHit = b.isHit && !letsThrough(triangles.second + numberOffset, b.barycentrics, number);
+            a.isHit = a.isHit && !letsThrough(triangles.first, a.barycentrics, number);
+            b.isHit = b.isHit && !letsThrough(triangles.second, b.barycentrics, number);
         }
         best = nearer(nearer(best, a, triangles.first + numberOffset, tMax), b, triangles.second + numberOffset, tMax);
         leafSlots -= lowestSlotBit(leafSlots);
@@ -223,7 +224,7 @@ bool occluded(vec3 origin, vec3 direction, float tMax) {
     const float tEnd = direction == vec3(0.0f) ? -1.0f : tMax;
     const uint number = kAlphaTested ? numberOfRay(origin, direction) : 0u;
     if (kInstanced != 0u) return occludedByInstances(origin, direction, tEnd, number);
-    return occludedInTree(makeTraversalRay(origin, direction), tEnd, number, 0u, 0u, 0);
+    return occludedInTree(makeTraversalRay(origin, direction), tEnd, number, 0u, 0);
 }
 
 // The nearest triangle at t in (0, tMax); of several at the same t the first in leaf order.

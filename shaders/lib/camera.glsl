@@ -29,13 +29,15 @@ vec2 barycentricsOfPixel(TriangleRecord t, vec3 origin, vec3 direction) {
 
 // Rasterisers ask this where rays ask letsThrough().
 bool pixelSeesThrough(uint triangle, ivec2 pixel) {
-    const vec2 barycentrics = barycentricsOfPixel(loadTriangle(triangle), frame.cameraPosition, cameraDirection(pixel));
-    return letsThrough(triangle, barycentrics, pixelSeed(frame.seed, pixel));
+    const TriangleRecord t = loadTriangle(triangle);
+    const vec2 barycentrics = barycentricsOfPixel(t, frame.cameraPosition, cameraDirection(pixel));
+    return letsThrough(t.place, barycentrics, pixelSeed(frame.seed, pixel) + (triangle - t.place));
 }
 
 Surface surfaceOfPixel(uint triangle, ivec2 pixel) {
     const vec3 direction = cameraDirection(pixel);
-    return surfaceAt(triangle, barycentricsOfPixel(loadTriangle(triangle), frame.cameraPosition, direction), -direction);
+    const TriangleRecord t = loadTriangle(triangle);
+    return surfaceAt(t, barycentricsOfPixel(t, frame.cameraPosition, direction), -direction);
 }
 
 #endif

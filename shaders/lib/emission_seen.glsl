@@ -5,20 +5,21 @@
 #include "shaders/lib/environment.glsl"
 
 // Unlit materials are seen as they are; others show what their front side emits.
-vec3 emissionSeenAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
-    const uint material = materialOf(triangle);
-    if (kEmissionTextured && materials[material].isUnlit != 0u) return albedoAt(triangle, barycentrics, material);
-    const bool isFront = dot(counterClockwiseNormal(loadTriangle(triangle)), toViewer) > 0.0;
-    return isFront ? emittedRadianceAt(triangle, barycentrics, material) : vec3(0.0);
+vec3 emissionSeenAt(TriangleRecord t, vec2 barycentrics, vec3 toViewer) {
+    const uint material = triangleMaterials[t.place];
+    if (kEmissionTextured && materials[material].isUnlit != 0u) return albedoAt(t.place, barycentrics, material);
+    const bool isFront = dot(counterClockwiseNormal(t), toViewer) > 0.0;
+    return isFront ? emittedRadianceAt(t.place, barycentrics, material) : vec3(0.0);
 }
 
 // Beyond the scene is the environment.
 vec3 emissionSeenBy(ivec2 pixel, bool isSurface, uint triangle) {
     const vec3 direction = cameraDirection(pixel);
     if (!isSurface) return radianceOfEnvironment(normalize(direction));
+    const TriangleRecord t = loadTriangle(triangle);
     vec2 barycentrics = vec2(0.0);
-    if (kEmissionTextured) barycentrics = barycentricsOfPixel(loadTriangle(triangle), frame.cameraPosition, direction);
-    return emissionSeenAt(triangle, barycentrics, -direction);
+    if (kEmissionTextured) barycentrics = barycentricsOfPixel(t, frame.cameraPosition, direction);
+    return emissionSeenAt(t, barycentrics, -direction);
 }
 
 #endif

@@ -8,7 +8,8 @@
 // Radiance that leaves pointOnTriangle(emitter, u).
 vec3 radianceOfTriangle(Emitter emitter, vec2 u) {
     if (!kEmissionTextured || emitter.emissionTexture == kNoTexture) return emitter.emission;
-    return emitter.emission * sampleTexture(emitter.emissionTexture, uvsAt(emitter.triangle, squareToTriangle(u))).rgb;
+    const uint place = placeOf(emitter.triangle);
+    return emitter.emission * sampleTexture(emitter.emissionTexture, uvsAt(place, squareToTriangle(u))).rgb;
 }
 
 #endif

@@ -59,10 +59,9 @@ bool occludedByInstances(vec3 origin, vec3 direction, float tEnd, uint number) {
         }
         const bool meetsOne = hasSlots(leafSlots);
         const uint instance = instanceOfLeaf(lowestLeaf(leafSlots, firstLeaf).first);
-        if (kAlphaTested) rememberInstance(instance);
         const int top = bvhTop;
-        isHit = occludedInTree(rayInMesh(instance, origin, direction), meetsOne ? tEnd : -1.0f, number,
-                               bvhRootOf(instance), numberOffsetOf(instance), top);
+        isHit = occludedInTree(rayInMesh(instance, origin, direction), meetsOne ? tEnd : -1.0f,
+                               number + numberOffsetOf(instance), bvhRootOf(instance), top);
         bvhTop = top;
         leafSlots -= lowestSlotBit(leafSlots);
         isDone = isHit || !hasSlots(siblings | leafSlots);
@@ -97,11 +96,11 @@ Hit closestHitOfInstances(vec3 origin, vec3 direction, Hit best, float tMax, uin
         }
         const bool meetsOne = hasSlots(leafSlots);
         const uint instance = instanceOfLeaf(lowestLeaf(leafSlots, firstLeaf).first);
-        if (kAlphaTested) rememberInstance(instance);
         const int top = bvhTop;
         const uint before = best.triangle;
-        best = closestHitInTree(rayInMesh(instance, origin, direction), meetsOne, best, tMax, number,
-                                bvhRootOf(instance), numberOffsetOf(instance), top);
+        const uint offset = numberOffsetOf(instance);
+        best = closestHitInTree(rayInMesh(instance, origin, direction), meetsOne, best, tMax, number + offset,
+                                bvhRootOf(instance), offset, top);
         bvhTop = top;
         bestInstance = best.triangle != before ? instance : bestInstance;
         leafSlots -= lowestSlotBit(leafSlots);

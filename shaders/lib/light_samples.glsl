@@ -102,12 +102,12 @@ EmissionMet emissionMetBy(Hit hit, vec3 direction) {
         return EmissionMet(radianceOfEnvironment(direction), density);
     }
     const TriangleRecord t = loadTriangle(hit.triangle);
-    const uint material = materialOf(hit.triangle);
+    const uint material = triangleMaterials[t.place];
     const float cosLight = -dot(counterClockwiseNormal(t), direction);
     if (cosLight <= 0.0) return EmissionMet(vec3(0.0), 0.0);
     const float area = areaOf(t);
     const float probability = frame.areaPowerShare * kPi * area * materials[material].meanEmission + frame.areaEqualShare;
-    return EmissionMet(emittedRadianceAt(hit.triangle, hit.barycentrics, material),
+    return EmissionMet(emittedRadianceAt(t.place, hit.barycentrics, material),
                        count * probability / area * hit.t * hit.t / cosLight);
 }
 

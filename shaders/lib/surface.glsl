@@ -22,8 +22,9 @@ layout(set = 0, binding = kBindingTriangleUvs, scalar) readonly buffer TriangleU
 layout(set = 0, binding = kBindingTriangleColours, scalar) readonly buffer TriangleColourBlock { uvec2 triangleColours[]; };
 layout(set = 0, binding = kBindingMaterials, scalar) readonly buffer MaterialBlock { Material materials[]; };
 
-// Corners of a triangle: xyz is the position, w the packed shading normal, which stays in the frame of its mesh.
-struct TriangleRecord { uvec4 corner0, corner1, corner2; uint instance; };
+// Corners of a triangle: xyz is the position, w the packed shading normal, which stays in the frame of its mesh. `place`
+// is where the triangle's uvs, colours and material are.
+struct TriangleRecord { uvec4 corner0, corner1, corner2; uint place; uint instance; };
 
 uvec4 placedCorner(uint instance, uvec4 corner) {
     const vec3 placed = placedInScene(floatsOf(instanceTexel(instance, 4)), floatsOf(instanceTexel(instance, 5)),
@@ -32,17 +33,24 @@ uvec4 placedCorner(uint instance, uvec4 corner) {
     return uvec4(floatBitsToUint(placed), corner.w);
 }
 
-TriangleRecord loadTriangle(uint triangle) {
-    const int first = int(recordOf(triangle)) * 3;
-    TriangleRecord t = TriangleRecord(imageLoad(bvhTriangles, first), imageLoad(bvhTriangles, first + 1),
-                                      imageLoad(bvhTriangles, first + 2), 0u);
-    if (kInstanced == 0u) return t;
-    t.instance = instanceOf(triangle);
-    return TriangleRecord(placedCorner(t.instance, t.corner0), placedCorner(t.instance, t.corner1),
-                          placedCorner(t.instance, t.corner2), t.instance);
+uint placeOf(uint triangle) {
+    if (kInstanced == 0u) return triangle;
+    return triangle - numberOffsetOf(instanceOf(triangle));
 }
 
-uint materialOf(uint triangle) { return triangleMaterials[recordOf(triangle)]; }
+TriangleRecord loadTriangle(uint triangle) {
+    const uint place = placeOf(triangle);
+    const int first = int(place) * 3;
+    TriangleRecord t = TriangleRecord(imageLoad(bvhTriangles, first), imageLoad(bvhTriangles, first + 1),
+                                      imageLoad(bvhTriangles, first + 2), place, 0u);
+    if (kInstanced == 0u) return t;
+    const uint instance = lastInstance;
+    t.instance = instance;
+    t.corner0 = placedCorner(instance, t.corner0);
+    t.corner1 = placedCorner(instance, t.corner1);
+    t.corner2 = placedCorner(instance, t.corner2);
+    return t;
+}
 
 struct Surface {
     vec3 position;
@@ -103,35 +111,36 @@ vec3 shadingNormalAt(TriangleRecord t, vec2 barycentrics, vec3 geometric) {
     return squared > 1e-12 ? n * inversesqrt(kInstanced == 1u ? dot(n, n) : squared) : geometric;
 }
 
-vec2 cornerUv(uint triangle, uint corner, uint set) {
-    return triangleUvs[(recordOf(triangle) * 3u + corner) * kUvSets + set];
+vec2 cornerUv(uint place, uint corner, uint set) {
+    return triangleUvs[(place * 3u + corner) * kUvSets + set];
 }
 
-vec2 uvAt(uint triangle, vec2 barycentrics, uint set) {
-    const vec2 uv0 = cornerUv(triangle, 0u, set);
-    return uv0 + barycentrics.x * (cornerUv(triangle, 1u, set) - uv0) + barycentrics.y * (cornerUv(triangle, 2u, set) - uv0);
+vec2 uvAt(uint place, vec2 barycentrics, uint set) {
+    const vec2 uv0 = cornerUv(place, 0u, set);
+    return uv0 + barycentrics.x * (cornerUv(place, 1u, set) - uv0) + barycentrics.y * (cornerUv(place, 2u, set) - uv0);
 }
 
-vec4 uvsAt(uint triangle, vec2 barycentrics) {
+vec4 uvsAt(uint place, vec2 barycentrics) {
     if (!kTextured) return vec4(0.0);
-    return vec4(uvAt(triangle, barycentrics, 0u), kUvSets > 1u ? uvAt(triangle, barycentrics, 1u) : vec2(0.0));
+    return vec4(uvAt(place, barycentrics, 0u), kUvSets > 1u ? uvAt(place, barycentrics, 1u) : vec2(0.0));
 }
 
-vec4 cornerColour(uint triangle, uint corner) {
-    const uvec2 bits = triangleColours[recordOf(triangle) * 3u + corner];
+vec4 cornerColour(uint place, uint corner) {
+    const uvec2 bits = triangleColours[place * 3u + corner];
     return vec4(unpackUnorm2x16(bits.x), unpackUnorm2x16(bits.y));
 }
 
-vec4 vertexColourAt(uint triangle, vec2 barycentrics) {
+vec4 vertexColourAt(uint place, vec2 barycentrics) {
     if (!kVertexColours) return vec4(1.0);
-    const vec4 c0 = cornerColour(triangle, 0u);
-    return c0 + barycentrics.x * (cornerColour(triangle, 1u) - c0) + barycentrics.y * (cornerColour(triangle, 2u) - c0);
+    const vec4 c0 = cornerColour(place, 0u);
+    return c0 + barycentrics.x * (cornerColour(place, 1u) - c0) + barycentrics.y * (cornerColour(place, 2u) - c0);
 }
 
 // Does the camera look through that side of the triangle?
 bool isCulledFrom(uint triangle, vec3 toViewer) {
-    return kCulled && materials[materialOf(triangle)].isCulled != 0u &&
-           dot(counterClockwiseNormal(loadTriangle(triangle)), toViewer) < 0.0;
+    if (!kCulled) return false;
+    const TriangleRecord t = loadTriangle(triangle);
+    return materials[triangleMaterials[t.place]].isCulled != 0u && dot(counterClockwiseNormal(t), toViewer) < 0.0;
 }
 
 // The texture's value there, 1 where there is none.
@@ -139,49 +148,49 @@ vec4 texturedBy(uint texture, vec4 uvs) {
     return kTextured && texture != kNoTexture ? sampleTexture(texture, uvs) : vec4(1.0);
 }
 
-vec3 albedoAt(uint triangle, vec2 barycentrics, uint material) {
+vec3 albedoAt(uint place, vec2 barycentrics, uint material) {
     return materials[material].albedo *
-           texturedBy(materials[material].albedoTexture, uvsAt(triangle, barycentrics)).rgb *
-           vertexColourAt(triangle, barycentrics).rgb;
+           texturedBy(materials[material].albedoTexture, uvsAt(place, barycentrics)).rgb *
+           vertexColourAt(place, barycentrics).rgb;
 }
 
 // Radiance that the front side emits.
-vec3 emittedRadianceAt(uint triangle, vec2 barycentrics, uint material) {
+vec3 emittedRadianceAt(uint place, vec2 barycentrics, uint material) {
     const vec3 radiance = materials[material].emittedRadiance;
     if (!kEmissionTextured || radiance == vec3(0.0)) return radiance;
-    return radiance * texturedBy(materials[material].emissionTexture, uvsAt(triangle, barycentrics)).rgb;
+    return radiance * texturedBy(materials[material].emissionTexture, uvsAt(place, barycentrics)).rgb;
 }
 
 // What of a material that is not opaque is there, in [0, 1].
-float coverageAt(uint triangle, vec2 barycentrics, uint material) {
+float coverageAt(uint place, vec2 barycentrics, uint material) {
     const float opacity = materials[material].opacity *
-                          texturedBy(materials[material].opacityTexture, uvsAt(triangle, barycentrics)).a *
-                          vertexColourAt(triangle, barycentrics).a;
+                          texturedBy(materials[material].opacityTexture, uvsAt(place, barycentrics)).a *
+                          vertexColourAt(place, barycentrics).a;
     if (materials[material].alphaMode == kAlphaMask) return opacity >= materials[material].alphaCutoff ? 1.0 : 0.0;
     return opacity;
 }
 
 // In bvh.glsl's terms: does a ray, or the camera, go through the triangle here? `u` is uniform in [0, 1).
-bool isTransparentAt(uint triangle, vec2 barycentrics, float u) {
-    const uint material = materialOf(triangle);
-    return materials[material].alphaMode != kAlphaOpaque && u >= coverageAt(triangle, barycentrics, material);
+bool isTransparentAt(uint place, vec2 barycentrics, float u) {
+    const uint material = triangleMaterials[place];
+    return materials[material].alphaMode != kAlphaOpaque && u >= coverageAt(place, barycentrics, material);
 }
 
-bool letsThrough(uint triangle, vec2 barycentrics, uint ray) {
-    const uint key = hashCombine(hashCombine(hashCombine(ray, frame.seed), frame.frame), triangle);
-    return isTransparentAt(triangle, barycentrics, float(key >> 8) * (1.0 / 16777216.0));
+bool letsThrough(uint place, vec2 barycentrics, uint ray) {
+    const uint key = hashCombine(hashCombine(hashCombine(ray, frame.seed), frame.frame), place);
+    return isTransparentAt(place, barycentrics, float(key >> 8) * (1.0 / 16777216.0));
 }
 
 // Tilts `n` by the material's normal map. Tangent and bitangent go along the texture's u and v; they need not be
 // perpendicular, and mirrored uvs mirror them.
-vec3 mappedNormal(TriangleRecord t, uint triangle, vec2 barycentrics, uint material, vec3 n) {
+vec3 mappedNormal(TriangleRecord t, vec2 barycentrics, uint material, vec3 n) {
     const uint texture = materials[material].normalTexture;
     if (!kNormalMapped || texture == kNoTexture) return n;
     const uint set = (textureInfos[texture].mode & kTextureUv1) != 0u ? 1u : 0u;
     const mat2 uvMatrix = mat2(textureInfos[texture].uvMatrix.xy, textureInfos[texture].uvMatrix.zw);
-    const vec2 uv0 = cornerUv(triangle, 0u, set);
-    const vec2 duv1 = uvMatrix * (cornerUv(triangle, 1u, set) - uv0);
-    const vec2 duv2 = uvMatrix * (cornerUv(triangle, 2u, set) - uv0);
+    const vec2 uv0 = cornerUv(t.place, 0u, set);
+    const vec2 duv1 = uvMatrix * (cornerUv(t.place, 1u, set) - uv0);
+    const vec2 duv2 = uvMatrix * (cornerUv(t.place, 2u, set) - uv0);
     const float det = duv1.x * duv2.y - duv1.y * duv2.x;
     if (det == 0.0) return n;
     const vec3 p0 = uintBitsToFloat(t.corner0.xyz);
@@ -197,16 +206,16 @@ vec3 mappedNormal(TriangleRecord t, uint triangle, vec2 barycentrics, uint mater
     const vec3 across = cross(n, tangent);
     // Green points up in the picture: against v, which grows with its rows.
     const vec3 bitangent = dot(across, towardsV) > 0.0 ? -across : across;
-    const vec3 texel = 2.0 * texturedBy(texture, uvsAt(triangle, barycentrics)).rgb - 1.0;
+    const vec3 texel = 2.0 * texturedBy(texture, uvsAt(t.place, barycentrics)).rgb - 1.0;
     const vec3 tilted = materials[material].normalScale * (texel.x * tangent + texel.y * bitangent) + texel.z * n;
     const float length2 = dot(tilted, tilted);
     return length2 > 1e-12 ? tilted * inversesqrt(length2) : n;
 }
 
-Bsdf bsdfAt(uint triangle, vec2 barycentrics, uint material) {
-    const vec3 albedo = albedoAt(triangle, barycentrics, material);
+Bsdf bsdfAt(uint place, vec2 barycentrics, uint material) {
+    const vec3 albedo = albedoAt(place, barycentrics, material);
     if (!kGlossy) return lambertian(albedo);
-    const vec4 roughMetal = texturedBy(materials[material].metallicRoughnessTexture, uvsAt(triangle, barycentrics));
+    const vec4 roughMetal = texturedBy(materials[material].metallicRoughnessTexture, uvsAt(place, barycentrics));
     return metallicRoughness(albedo, materials[material].metallic * roughMetal.b,
                              materials[material].roughness * roughMetal.g, materials[material].specular);
 }
@@ -214,23 +223,26 @@ Bsdf bsdfAt(uint triangle, vec2 barycentrics, uint material) {
 // `toViewer` points away from the surface, to where the ray came from; it need not be unit.
 // Normals are turned to the viewer's side, a two-sided reflector: the geometric one, which cannot be wrong about sides,
 // and the shading normal with it.
-Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
-    const TriangleRecord t = loadTriangle(triangle);
+Surface surfaceAt(TriangleRecord t, vec2 barycentrics, vec3 toViewer) {
     const vec3 counterClockwise = counterClockwiseNormal(t);
-    const uint material = materialOf(triangle);
+    const uint material = triangleMaterials[t.place];
     vec3 shading = shadingNormalAt(t, barycentrics, counterClockwise);
     // The map belongs to the front of the surface.
     shading = dot(shading, counterClockwise) < 0.0 ? -shading : shading;
-    shading = mappedNormal(t, triangle, barycentrics, material, shading);
+    shading = mappedNormal(t, barycentrics, material, shading);
     Surface surface;
     surface.position = positionAt(t, barycentrics);
     surface.isFrontFacing = dot(counterClockwise, toViewer) > 0.0;
     surface.geometricNormal = surface.isFrontFacing ? counterClockwise : -counterClockwise;
     surface.normal = dot(shading, surface.geometricNormal) < 0.0 ? -shading : shading;
     surface.material = material;
-    surface.bsdf = bsdfAt(triangle, barycentrics, material);
+    surface.bsdf = bsdfAt(t.place, barycentrics, material);
     if (materials[material].isUnlit != 0u) surface.bsdf = lambertian(vec3(0.0));
     return surface;
+}
+
+Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
+    return surfaceAt(loadTriangle(triangle), barycentrics, toViewer);
 }
 
 #endif

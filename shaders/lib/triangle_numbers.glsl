@@ -20,10 +20,4 @@ uint instanceOf(uint triangle) {
     return low;
 }
 
-// Where the triangle of that number is stored.
-uint recordOf(uint triangle) {
-    if (kInstanced == 0u) return triangle;
-    return triangle - numberOffsetOf(instanceOf(triangle));
-}
-
 #endif

@@ -48,12 +48,12 @@ vec3 emissionMet(PathState path, float lightDensity, vec3 radiance) {
 }
 
 vec3 emissionOfSurface(PathState path, Hit hit) {
-    const uint material = materialOf(hit.triangle);
-    if (kEmissionTextured && materials[material].isUnlit != 0u)
-        return path.scatterings == 0u && counts(0u) ? albedoAt(hit.triangle, hit.barycentrics, material) : vec3(0.0);
     const TriangleRecord t = loadTriangle(hit.triangle);
+    const uint material = triangleMaterials[t.place];
+    if (kEmissionTextured && materials[material].isUnlit != 0u)
+        return path.scatterings == 0u && counts(0u) ? albedoAt(t.place, hit.barycentrics, material) : vec3(0.0);
     const float cosLight = -dot(counterClockwiseNormal(t), path.direction);
-    const vec3 radiance = emittedRadianceAt(hit.triangle, hit.barycentrics, material);
+    const vec3 radiance = emittedRadianceAt(t.place, hit.barycentrics, material);
     if (cosLight <= 0.0 || radiance == vec3(0.0)) return vec3(0.0);
     const float density =
         densityOfEmitterPoint(materials[material].meanEmission, areaOf(t), hit.t * hit.t, cosLight);

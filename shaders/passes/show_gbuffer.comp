@@ -24,7 +24,7 @@ vec3 channelOf(GBufferPixel seen) {
         case kShowAlbedo: return seen.receiver.bsdf.diffuse + seen.receiver.bsdf.f0;
         case kShowDepth: return vec3(dot(fromCamera, frame.cameraForward) * push.depthScale);
         case kShowPosition: return 0.5 + 0.5 * (seen.receiver.position - frame.sceneCenter) / frame.sceneRadius;
-        default: return colourOfNumber(materialOf(seen.triangle));
+        default: return colourOfNumber(triangleMaterials[placeOf(seen.triangle)]);
     }
 }
 

@@ -62,7 +62,7 @@ void addNodes(Json& json) {
         {"children": [2, 3], "scale": [2, 2, 2], "rotation": [0, 0.6, 0, 0.8]},
         {"mesh": 0, "translation": [0, 3, 1], "children": [5]},
         {"mesh": 0, "scale": [-1, 1, 1], "translation": [0, -4, 0]},
-        {"mesh": 0, "scale": [1, 0, 1], "translation": [7, 7, 0]},
+        {"mesh": 0, "scale": [1, 1, 0], "translation": [7, 7, 0]},
         {"mesh": 0, "scale": [1, 3, -0.5], "rotation": [0.6, 0, 0, 0.8], "children": [6]},
         {"mesh": 0, "scale": [-1, 2, 1], "translation": [0, -4, 9]}])");
 }
