@@ -82,12 +82,10 @@ bool scalesAlike(const glm::mat3& m) {
 
 void planInstances(ScenePlan& plan, const Scene& scene, const Kept& kept) {
     const bool shares = !scene.instances.empty();
-    plan.instanced = decide(plan, kept, shares, "two levels of rays", scene.sharing.reason);
+    // Not for --plan off: everything twice over makes shaders that a software driver compiles for a minute.
+    plan.instanced = decide(plan, {false, kept.one}, shares, "two levels of rays", scene.sharing.reason);
     // Without triangles there is nothing that could be put anywhere.
-    if (scene.triangles.empty() && plan.instanced) {
-        plan.instanced = false;
-        plan.decisions.back() = {"two levels of rays", true, "there is no geometry", 0, false};
-    }
+    if (scene.triangles.empty()) plan.instanced = false;
     const bool stretched =
         std::any_of(scene.instances.begin(), scene.instances.end(),
                     [](const MeshInstance& instance) { return !scalesAlike(instance.sceneFromMesh); });
