@@ -19,15 +19,15 @@ struct GpuScene {
     PhysicalBuffer textureInfos;
     PhysicalBuffer texels;
     PhysicalBuffer emitters;
-    PhysicalBuffer instances;          // if there are two levels
+    PhysicalBuffer instances;  // if there are two levels
 
-    uint32_t triangleCount = 0;        // with all repeats
-    uint32_t instanceCount = 0;        // 0: every triangle is in the scene's frame
-    TriangleNumbers numbers;           // of the triangles that the device talks of
-    std::vector<uint32_t> meshRoots;   // nodes, before those of the upper level are counted
+    uint32_t triangleCount = 0;       // with all repeats
+    uint32_t instanceCount = 0;       // 0: every triangle is in the scene's frame
+    TriangleNumbers numbers;          // of the triangles that the device talks of
+    std::vector<uint32_t> meshRoots;  // nodes, before those of the upper level are counted
     std::vector<Bounds> instanceBounds;
     std::vector<uint32_t> emissionTextures;  // of the materials
-    std::vector<DrawRange> draws;      // all triangles, for rasterisation
+    std::vector<DrawRange> draws;            // all triangles, for rasterisation
     EmitterTable emitterTable;
     BoundingSphere sphere;
     double surfaceArea = 0.0;    // of all triangles, normalised frame
@@ -42,8 +42,8 @@ struct GpuScene {
 /// Uploads through staging and waits. Throws Error if the device cannot hold the scene.
 GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh);
 
-/// After instances and lights of the scene have moved, nothing else: renews the upper level and the emitters. The number of
-/// instances is what it was.
+/// After instances and lights of the scene have moved, nothing else: renews the upper level and the emitters. The
+/// number of instances is what it was.
 void moveInstances(gpu::Device& device, GpuScene& gpuScene, const Scene& scene);
 
 /// The scene's buffers in one frame's graph.

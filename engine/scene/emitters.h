@@ -27,8 +27,8 @@ struct EmitterTable {
 
 /// P = 0.9 * share of power + 0.1 / count: a weak light among strong ones keeps its share of paths (Hesterberg 1995's
 /// defensive mixture). Lights of no power are left out. `sceneRadius`: of the sphere that directional light and
-/// the environment must cover. Emitter::triangle counts the triangles of all instances; Emitter::emissionTexture is left to who packs
-/// the textures.
+/// the environment must cover. Emitter::triangle counts the triangles of all instances; Emitter::emissionTexture is
+/// left to who packs the textures.
 EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius);
 
 /// Mean channel of the radiance that a material emits, over its texture.

@@ -46,8 +46,8 @@ bool scalesAlike(const glm::mat3& m) {
     const glm::vec3 squares{glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2])};
     const float largest = std::max({squares.x, squares.y, squares.z});
     const float smallest = std::min({squares.x, squares.y, squares.z});
-    const float skew = std::max({std::abs(glm::dot(m[0], m[1])), std::abs(glm::dot(m[1], m[2])),
-                                 std::abs(glm::dot(m[2], m[0]))});
+    const float skew =
+        std::max({std::abs(glm::dot(m[0], m[1])), std::abs(glm::dot(m[1], m[2])), std::abs(glm::dot(m[2], m[0]))});
     return largest - smallest <= 1e-5f * largest && skew <= 1e-5f * largest;
 }
 
@@ -56,9 +56,9 @@ void planInstances(ScenePlan& plan, const Scene& scene, bool everything) {
     // Without triangles there is nothing that could be put anywhere.
     plan.instanced =
         decide(plan, everything && !scene.triangles.empty(), shares, "two levels of rays", scene.sharing.reason);
-    const bool stretched = std::any_of(scene.instances.begin(), scene.instances.end(), [](const MeshInstance& instance) {
-        return !scalesAlike(instance.sceneFromMesh);
-    });
+    const bool stretched =
+        std::any_of(scene.instances.begin(), scene.instances.end(),
+                    [](const MeshInstance& instance) { return !scalesAlike(instance.sceneFromMesh); });
     // Not for --plan off: the same normals by another matrix would be rounded differently.
     plan.stretched = decide(plan, false, stretched, "matrices of normals",
                             stretched ? "an instance scales its axes differently"

@@ -44,8 +44,8 @@ struct RepeatedMesh {
     uint64_t uses = 0;
 };
 
-/// Auto shares meshes if the scene's geometry then takes half of the device memory at most and 16 MiB less: rays through
-/// two levels are slower than through one.
+/// Auto shares meshes if the scene's geometry then takes half of the device memory at most and 16 MiB less: rays
+/// through two levels are slower than through one.
 SharingChoice chooseSharing(std::span<const RepeatedMesh> meshes, InstanceMode mode);
 
 /// Of a scene that shares: is this mesh shared? Not if the instances would take more than the repeats.

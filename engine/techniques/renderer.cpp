@@ -209,7 +209,8 @@ void Renderer::measureLitArea() {
         PhysicalBuffer copy = makeVplCopy(device_, kPilotVpls);
         copyVplsToHost(graph, lights.vpls.list, copy);
         executor_.execute(graph);
-        litArea_ = manylight::litArea(std::span(static_cast<const shared::LightData*>(copy.buffer.mapped()), kPilotVpls));
+        litArea_ =
+            manylight::litArea(std::span(static_cast<const shared::LightData*>(copy.buffer.mapped()), kPilotVpls));
     }
     if (!litArea_) litArea_ = gpuScene_.surfaceArea;
     settings_ = settings;

@@ -52,8 +52,8 @@ class Renderer {
     double relativeStandardError();
     /// Restarts with, or without, cutOff(). Deferred technique only.
     void keepCutOff(bool keeps);
-    /// Mean radiance that the bound on the geometry term took, like radiance(). With --clamp bound it is what the picture
-    /// lacks.
+    /// Mean radiance that the bound on the geometry term took, like radiance(). With --clamp bound it is what the
+    /// picture lacks.
     Image cutOff();
     /// The VPLs of the last frame, without the padding.
     std::vector<shared::LightData> vpls() const;
