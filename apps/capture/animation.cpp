@@ -130,8 +130,7 @@ void captureAnimation(const CaptureOptions& options) {
         if (isInterrupted() && i + 1 < times.size())
             fail("interrupted: {} of {} pictures are written", i + 1, times.size());
     }
-    if (!options.report.empty())
-        writeTextFile(options.report, Json{{"pictures", std::move(pictures)}}.dump(2) + "\n");
+    if (!options.report.empty()) writeTextFile(options.report, Json{{"pictures", std::move(pictures)}}.dump(2) + "\n");
 }
 
 }  // namespace manylight

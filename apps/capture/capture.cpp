@@ -127,8 +127,8 @@ void capture(const CaptureOptions& options) {
     checkOutputs(options);
 
     const auto start = Clock::now();
-    const Scene scene = importScene(
-        options.scene, {.instances = instanceModeFrom(options.instances), .time = options.sceneTime});
+    const Scene scene =
+        importScene(options.scene, {.instances = instanceModeFrom(options.instances), .time = options.sceneTime});
     const double importSeconds = secondsSince(start);
     printWarnings(scene.warnings);
     RenderSettings settings = resolveSettings(scene, options.settings);

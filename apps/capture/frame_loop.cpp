@@ -32,7 +32,8 @@ class ErrorCheck {
 /// Progress by frames or by time, whichever is nearer its end.
 class LoopProgress {
   public:
-    explicit LoopProgress(const CaptureOptions& options) : options_(options), progress_("rendering", kSteps, options.showsProgress) {}
+    explicit LoopProgress(const CaptureOptions& options)
+        : options_(options), progress_("rendering", kSteps, options.showsProgress) {}
     void update(uint32_t frames, double seconds) {
         double share = static_cast<double>(frames) / options_.mostFrames();
         if (options_.secondsBudget > 0.0) share = std::max(share, seconds / options_.secondsBudget);

@@ -39,9 +39,10 @@ int main(int argc, char** argv) {
     app.add_option("--dump-pass", options.dumpPass, "write every image this pass wrote beside the output, as EXR");
     app.add_option("--at", options.sceneTime, "the scene's animation so many seconds after its start")
         ->check(CLI::Range(0.0, 1e9));
-    app.add_option("--animate", options.animate,
-                   "a picture for every moment of the animation: 0:2:24 is 0 to 2 s at 24 a second; # signs in the names "
-                   "of outputs become its number")
+    app.add_option(
+           "--animate", options.animate,
+           "a picture for every moment of the animation: 0:2:24 is 0 to 2 s at 24 a second; # signs in the names "
+           "of outputs become its number")
         ->type_name("FROM:TO:RATE")
         ->excludes("--at");
     addInstancesOption(app, options.instances);

@@ -35,8 +35,8 @@ VkClearValue clearValue(const ForwardOptions& options, const ScenePlan& plan) {
 }  // namespace
 
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const VplBuffers& vpls,
-                         const ForwardOptions& options, std::optional<Visibility> prepass, std::span<const DrawRange> draws,
-                         uint32_t width, uint32_t height) {
+                         const ForwardOptions& options, std::optional<Visibility> prepass,
+                         std::span<const DrawRange> draws, uint32_t width, uint32_t height) {
     const uint32_t limit = options.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxForwardVplsPerDraw;
     const auto stretches = shadingStretches(options.lightCount, options.vplCount, limit, options.showEmission);
     gpu::Specialisation common = surfaceOptions(plan);
@@ -74,14 +74,14 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
         const char* const shader = seenOnly           ? "forward_visible.frag"
                                    : plan.alphaTested ? "forward_alpha.frag"
                                                       : "forward.frag";
-        pass.execute([constants, push, shader, vertexShader = geometryShader(plan), seenOnly,
-                      draws](PassContext& context) {
-            context.draw({.vertexShader = vertexShader,
-                          .fragmentShader = shader,
-                          .specialisation = constants,
-                          .depthCompare = seenOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},
-                         draws, push);
-        });
+        pass.execute(
+            [constants, push, shader, vertexShader = geometryShader(plan), seenOnly, draws](PassContext& context) {
+                context.draw({.vertexShader = vertexShader,
+                              .fragmentShader = shader,
+                              .specialisation = constants,
+                              .depthCompare = seenOnly ? VK_COMPARE_OP_EQUAL : VK_COMPARE_OP_GREATER},
+                             draws, push);
+            });
     }
     if (plan.environmentMapped && options.showEmission)
         result.radiance = addBackground(graph, scene, plan, result.radiance, width, height);

@@ -27,7 +27,7 @@ struct ForwardResult {
 /// `prepass`: only what it saw is shaded; without it the fragments of hidden surfaces that come first are shaded too,
 /// as the original system did. More lights than a draw may take on are drawn again, adding, on what is seen.
 ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const VplBuffers& vpls,
-                         const ForwardOptions& options, std::optional<Visibility> prepass, std::span<const DrawRange> draws,
-                         uint32_t width, uint32_t height);
+                         const ForwardOptions& options, std::optional<Visibility> prepass,
+                         std::span<const DrawRange> draws, uint32_t width, uint32_t height);
 
 }  // namespace manylight

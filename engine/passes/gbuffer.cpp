@@ -7,8 +7,8 @@
 
 namespace manylight {
 
-GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
-                   uint32_t width, uint32_t height) {
+GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
+                   std::span<const DrawRange> draws, uint32_t width, uint32_t height) {
     const Visibility visibility = addVisibility(graph, scene, plan, draws, width, height);
     GBuffer gbuffer;
     gbuffer.depth = visibility.depth;

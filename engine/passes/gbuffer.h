@@ -14,8 +14,8 @@ struct GBuffer {
     ImageHandle depth;     // D32_SFLOAT, reversed: 1 at the near plane, 0 at infinity
 };
 
-GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
-                   uint32_t width, uint32_t height);
+GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
+                   std::span<const DrawRange> draws, uint32_t width, uint32_t height);
 
 /// Declares that a compute pass reads it.
 void readGBuffer(PassBuilder& pass, const GBuffer& gbuffer);

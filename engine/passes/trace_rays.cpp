@@ -26,9 +26,8 @@ void addTraceRays(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
     // Constants 0 to 9: of those of surfaceOptions() only the last is of interest.
     const gpu::Specialisation constants{kind == RayKind::AnyHit ? 1u : 0u, 0, 0, 0, 0, 0, 0, 0, 0, plan.instanced};
     pass.execute([rayCount, constants](PassContext& context) {
-        const ComputeKernel kernel{.shader = "trace_rays.comp",
-                                   .groupWidth = shared::kTraceRaysGroupSize,
-                                   .specialisation = constants};
+        const ComputeKernel kernel{
+            .shader = "trace_rays.comp", .groupWidth = shared::kTraceRaysGroupSize, .specialisation = constants};
         for (uint32_t first = 0; first < rayCount; first += shared::kMaxRaysPerDispatch) {
             const uint32_t count = std::min(rayCount - first, shared::kMaxRaysPerDispatch);
             context.dispatch(kernel, count, 1, shared::TraceRaysPush{first, first + count});

@@ -4,13 +4,13 @@
 
 namespace manylight {
 
-const char* geometryShader(const ScenePlan& plan) { 
+const char* geometryShader(const ScenePlan& plan) {
     if (plan.instanced) return "geometry_instanced.vert";
     return plan.culled ? "geometry_culled.vert" : "geometry.vert";
 }
 
-Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
-                         uint32_t width, uint32_t height) {
+Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
+                         std::span<const DrawRange> draws, uint32_t width, uint32_t height) {
     constexpr VkClearValue kFarAway{.depthStencil = {0.0f, 0}};
     constexpr VkClearValue kNothing{.color = {.uint32 = {0, 0, 0, 0}}};
     Visibility visibility;

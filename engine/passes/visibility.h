@@ -13,8 +13,8 @@ struct Visibility {
 };
 
 /// Of triangles at equal depth the one drawn first is seen.
-Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
-                         uint32_t width, uint32_t height);
+Visibility addVisibility(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
+                         std::span<const DrawRange> draws, uint32_t width, uint32_t height);
 
 /// The vertex shader of every pass that draws the scene.
 const char* geometryShader(const ScenePlan& plan);

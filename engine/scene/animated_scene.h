@@ -12,8 +12,8 @@ namespace manylight {
 
 class AnimatedScene {
   public:
-    /// Reads the scene at the first of `times` (seconds, at least one), in a frame that holds what moves at all of them.
-    /// Throws Error as importScene() does.
+    /// Reads the scene at the first of `times` (seconds, at least one), in a frame that holds what moves at all of
+    /// them. Throws Error as importScene() does.
     AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times);
 
     const Scene& scene() const { return scene_; }
@@ -33,7 +33,8 @@ class AnimatedScene {
     std::vector<double> times_;
     mutable std::shared_ptr<const GltfFile> opened_;
     Scene scene_;
-    std::vector<glm::dvec3> framePoints_;  // the bounds hold all of the motion: the camera and lights of all pictures agree
+    std::vector<glm::dvec3>
+        framePoints_;  // the bounds hold all of the motion: the camera and lights of all pictures agree
     std::vector<uint32_t> meshOfSource_;  // of the instances in the file
 };
 

@@ -88,6 +88,24 @@ Candidate fromTriangle(uint32_t number, const std::array<glm::vec3, 3>& corners,
     return {emitter, emission * area * kPi, true};
 }
 
+/// `emissions`: of the materials. Meshes that do not shine are passed over, however often they are shown.
+void addTriangles(const Scene& scene, const std::vector<double>& emissions, std::vector<Candidate>& candidates) {
+    if (std::ranges::none_of(emissions, [](double emission) { return emission > 0.0; })) return;
+    InstanceList list = listInstances(scene);
+    for (SharedMesh& mesh : list.meshes) {
+        const auto first = scene.triangles.begin() + mesh.firstTriangle;
+        const bool shines = std::any_of(first, first + mesh.triangleCount,
+                                        [&](const Triangle& triangle) { return emissions[triangle.material] > 0.0; });
+        if (!shines) mesh.triangleCount = 0;
+    }
+    forEachTriangle(scene, list,
+                    [&](uint32_t number, const Triangle& triangle, const std::array<glm::vec3, 3>& corners) {
+                        const double emission = emissions[triangle.material];
+                        const glm::vec3& radiance = scene.materials[triangle.material].emittedRadiance;
+                        if (emission > 0.0) candidates.push_back(fromTriangle(number, corners, radiance, emission));
+                    });
+}
+
 /// Fills the chosen field and returns the alias table of the choice, if there is anything to choose.
 template <typename Includes>
 std::vector<AliasSlot> distribute(std::vector<Candidate>& candidates, Includes includes, float Emitter::*probability) {
@@ -134,13 +152,7 @@ EmitterTable buildEmitterTable(const Scene& scene, float sceneRadius, const Envi
     }
     std::vector<double> emissions;
     for (const Material& material : scene.materials) emissions.push_back(meanEmission(scene, material));
-    if (std::ranges::any_of(emissions, [](double emission) { return emission > 0.0; }))
-        forEachTriangle(scene, listInstances(scene),
-                        [&](uint32_t number, const Triangle& triangle, const std::array<glm::vec3, 3>& corners) {
-                            const double emission = emissions[triangle.material];
-                            const glm::vec3& radiance = scene.materials[triangle.material].emittedRadiance;
-                            if (emission > 0.0) candidates.push_back(fromTriangle(number, corners, radiance, emission));
-                        });
+    addTriangles(scene, emissions, candidates);
 
     std::erase_if(candidates, [](const Candidate& candidate) { return !(candidate.power > 0.0); });
     std::stable_partition(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.isArea; });

@@ -49,9 +49,8 @@ class ChannelReader {
         const size_t perKey = result.interpolation == KeyInterpolation::CubicSpline ? 3 : 1;
         const size_t expected = result.times.size() * perKey;
         if (result.values.size() != expected * componentsOf(property))
-            sampler.at("output").failExpected(
-                fmt::format("an accessor of {} elements, {} for each of {} key frames", expected, perKey,
-                            result.times.size()));
+            sampler.at("output").failExpected(fmt::format("an accessor of {} elements, {} for each of {} key frames",
+                                                          expected, perKey, result.times.size()));
         if (!std::ranges::all_of(result.values, [](double value) { return std::isfinite(value); }))
             sampler.at("output").failExpected("an accessor of finite numbers");
         return result;
@@ -71,9 +70,11 @@ class ChannelReader {
         if (times.empty()) input.failExpected("at least one key frame");
         for (size_t i = 0; i < times.size(); ++i) {
             if (!std::isfinite(times[i]) || times[i] < 0.0)
-                input.failExpected(fmt::format("times that are finite and not negative; key frame {} is at {}", i, times[i]));
+                input.failExpected(
+                    fmt::format("times that are finite and not negative; key frame {} is at {}", i, times[i]));
             if (i > 0 && times[i] <= times[i - 1])
-                input.failExpected(fmt::format("increasing times; key frame {} at {} follows {}", i, times[i], times[i - 1]));
+                input.failExpected(
+                    fmt::format("increasing times; key frame {} at {} follows {}", i, times[i], times[i - 1]));
         }
     }
 
@@ -128,7 +129,8 @@ NodeAnimation readNodeAnimation(const GltfFile& gltf, Warnings& warnings) {
                 warnings.add("animation channels ignored: no transform of a node", target.path());
                 continue;
             }
-            if (target.at("node").integer(INT64_MIN, INT64_MAX) < 0 || target.at("node").integer(0, INT64_MAX) >= nodeCount)
+            if (target.at("node").integer(INT64_MIN, INT64_MAX) < 0 ||
+                target.at("node").integer(0, INT64_MAX) >= nodeCount)
                 target.at("node").failExpected(fmt::format("an index into nodes (there are {})", nodeCount));
             NodeChannel read = reader.read(channel, *property);
             read.node = static_cast<size_t>(target.at("node").integer(0, nodeCount - 1));

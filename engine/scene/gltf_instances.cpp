@@ -15,9 +15,9 @@ constexpr double kFlattest = 1e-6;
 
 uint64_t trianglesOf(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
     const auto positions = primitive.attributes.find("POSITION");
-    const int accessor = primitive.indices >= 0                         ? primitive.indices
+    const int accessor = primitive.indices >= 0                    ? primitive.indices
                          : positions != primitive.attributes.end() ? positions->second
-                                                                        : -1;
+                                                                   : -1;
     if (accessor < 0) return 0;
     const uint64_t corners = model.accessors.at(static_cast<size_t>(accessor)).count;
     const bool isList = primitive.mode < 0 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
@@ -91,8 +91,7 @@ SharingChoice chooseGroups(Groups& groups, const ImportOptions& options) {
         const bool saves = isSharedWhere({group.triangles, group.uses.size()}, options.instances);
         return !group.moves && !(choice.shares && saves);
     });
-    if (!choice.shares && !groups.empty())
-        choice = {true, fmt::format("{} meshes move", groups.size()), 0};
+    if (!choice.shares && !groups.empty()) choice = {true, fmt::format("{} meshes move", groups.size()), 0};
     return choice;
 }
 

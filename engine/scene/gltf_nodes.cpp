@@ -31,9 +31,8 @@ glm::dmat4 composed(Numbers translation, Numbers rotation, Numbers scale) {
 }
 
 glm::dmat4 parentFromNode(const tinygltf::Node& node, const NodePose& pose) {
-    const auto part = [](const std::optional<std::array<double, 4>>& posed, const std::vector<double>& own, size_t size) {
-        return posed ? Numbers(*posed).first(size) : Numbers(own);
-    };
+    const auto part = [](const std::optional<std::array<double, 4>>& posed, const std::vector<double>& own,
+                         size_t size) { return posed ? Numbers(*posed).first(size) : Numbers(own); };
     if (node.matrix.size() != 16)
         return composed(part(pose.translation, node.translation, 3), part(pose.rotation, node.rotation, 4),
                         part(pose.scale, node.scale, 3));

@@ -102,7 +102,7 @@ struct RawScene {
     std::vector<RawInstance> instances;   // by mesh; their transforms can be inverted
     std::vector<glm::dvec3> framePoints;  // where instances will be at other times: the frame holds them too
     SharingChoice sharing;
-    double animationEnd = 0.0;            // seconds; 0: nothing moves
+    double animationEnd = 0.0;  // seconds; 0: nothing moves
     std::vector<RawMaterial> materials;
     std::vector<Texture> textures;
     std::vector<RawLight> lights;

@@ -100,8 +100,8 @@ struct SharedMesh {
 
 inline constexpr uint32_t kNoSource = 0xffffffffu;  // MeshInstance::source of what is no instance in the file
 
-/// A mesh in the scene: scenePoint = sceneFromMesh * meshPoint + center. A mesh that some instances mirror exists twice,
-/// so that triangles are counter-clockwise from their front in the scene.
+/// A mesh in the scene: scenePoint = sceneFromMesh * meshPoint + center. A mesh that some instances mirror exists
+/// twice, so that triangles are counter-clockwise from their front in the scene.
 struct MeshInstance {
     uint32_t mesh = 0;  // index into Scene::meshes
     glm::mat3 sceneFromMesh{1.0f};
@@ -163,10 +163,10 @@ struct Scene {
 
     std::vector<Vertex> vertices;
     std::vector<Triangle> triangles;
-    std::vector<SharedMesh> meshes;        // of `triangles`, if there are instances
-    std::vector<MeshInstance> instances;   // by mesh; none: `triangles` are in the scene's frame, each there once
+    std::vector<SharedMesh> meshes;       // of `triangles`, if there are instances
+    std::vector<MeshInstance> instances;  // by mesh; none: `triangles` are in the scene's frame, each there once
     SharingChoice sharing;
-    double animationEnd = 0.0;  // seconds of the file's animation; 0: none was asked for, or nothing moves
+    double animationEnd = 0.0;        // seconds of the file's animation; 0: none was asked for, or nothing moves
     std::vector<Material> materials;  // at least one if there are triangles
     std::vector<Texture> textures;
     std::vector<Light> lights;

@@ -43,8 +43,8 @@ TEST(KeyFrames, CubicSplinesFollowTheirTangents) {
 
 TEST(KeyFrames, RotationsTurnTheShorterWayAtOneSpeed) {
     const double half = std::sqrt(0.5);  // 90 degrees about z, with the sign that lies further away
-    const NodeChannel turn = channelOf(NodeProperty::Rotation, KeyInterpolation::Linear, {0, 1},
-                                       {0, 0, 0, 1, 0, 0, -half, -half});
+    const NodeChannel turn =
+        channelOf(NodeProperty::Rotation, KeyInterpolation::Linear, {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half});
     for (const double time : {0.25, 0.5, 0.9}) {
         const std::array<double, 4> q = valueAt(turn, time);
         EXPECT_NEAR(std::abs(q[2]), std::sin(time * 0.25 * 3.14159265358979), 1e-12) << time;
@@ -65,8 +65,9 @@ class Animated : public GltfImport {
         json_["cameras"] = Json::parse(R"([{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}])");
         times_ = keys(times({0, 1, 2}), "SCALAR");
         values_ = keys(times({0, 0, 0, 2, 0, 0, 4, 0, 0}), "VEC3");
-        json_["animations"] = Json::array({{{"samplers", {{{"input", times_}, {"output", values_}}}},
-                                            {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}});
+        json_["animations"] =
+            Json::array({{{"samplers", {{{"input", times_}, {"output", values_}}}},
+                          {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}});
     }
 
     static std::string times(std::initializer_list<float> numbers) {

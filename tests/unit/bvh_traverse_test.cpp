@@ -268,7 +268,7 @@ TEST(RayOffset, NoRayMeetsTheTriangleThatItLeaves) {
         const glm::vec3 b = a + size * test::randomPoint(random, -0.57f, 0.57f);
         const bool isSliver = i % 4 == 0;
         const glm::vec3 c = isSliver ? glm::mix(a, b, unit(random)) + 1e-3f * size * test::randomPoint(random)
-                                       : a + size * test::randomPoint(random, -0.57f, 0.57f);
+                                     : a + size * test::randomPoint(random, -0.57f, 0.57f);
         const glm::vec3 across = glm::cross(b - a, c - a);
         if (glm::length(across) == 0.0f) continue;
         Scene scene;

@@ -1,6 +1,6 @@
 // Which meshes are shared, and that they are then in the same places.
-#include "engine/scene/generate/forest.h"
 #include "engine/scene/instances.h"
+#include "engine/scene/generate/forest.h"
 #include "engine/scene/scene_plan.h"
 #include "tests/unit/import_gltf_support.h"
 
@@ -17,14 +17,15 @@ TEST(Sharing, IsChosenWhereItSavesMuch) {
     };
     EXPECT_TRUE(shares({{10000, 500}}));
     EXPECT_FALSE(shares({{10000, 1}}));
-    EXPECT_FALSE(shares({{1000, 20}}));                        // too little
-    EXPECT_FALSE(shares({{1'000'000, 1}, {10000, 50}}));       // most is there once
-    EXPECT_FALSE(shares({{1, 10'000'000}}));                   // an instance takes more than a triangle
+    EXPECT_FALSE(shares({{1000, 20}}));                   // too little
+    EXPECT_FALSE(shares({{1'000'000, 1}, {10000, 50}}));  // most is there once
+    EXPECT_FALSE(shares({{1, 10'000'000}}));              // an instance takes more than a triangle
     EXPECT_TRUE(shares({{1000, 20}}, InstanceMode::Share));
     EXPECT_FALSE(shares({{10000, 500}}, InstanceMode::Flatten));
     EXPECT_FALSE(shares({}, InstanceMode::Share));
-    EXPECT_NEAR(static_cast<double>(chooseSharing(std::vector<RepeatedMesh>{{10000, 500}}, InstanceMode::Auto).savedBytes),
-                499e4 * 72, 1e6);
+    EXPECT_NEAR(
+        static_cast<double>(chooseSharing(std::vector<RepeatedMesh>{{10000, 500}}, InstanceMode::Auto).savedBytes),
+        499e4 * 72, 1e6);
 }
 
 TEST(Sharing, MoreTrianglesThanNumbersAreAnError) {
@@ -69,9 +70,7 @@ void addNodes(Json& json) {
 
 class SharedGltf : public GltfImport {
   protected:
-    Scene importAs(InstanceMode mode) {
-        return importScene(write("a.gltf", json_.dump()), {.instances = mode});
-    }
+    Scene importAs(InstanceMode mode) { return importScene(write("a.gltf", json_.dump()), {.instances = mode}); }
 };
 
 TEST_F(SharedGltf, SharedMeshesAreWhereRepeatedOnesAre) {

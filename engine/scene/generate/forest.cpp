@@ -43,8 +43,8 @@ void addLeaf(Mesh& mesh, uint32_t material, double middle, const glm::dvec3& rad
 Mesh tree(uint32_t triangles, SceneRandom& random) {
     Mesh mesh;
     const uint32_t bark = addMaterial(mesh, "bark", {0.16, 0.11, 0.07});
-    const uint32_t leaf = addMaterial(
-        mesh, "leaf", {random.between(0.08, 0.3), random.between(0.3, 0.45), random.between(0.05, 0.12)});
+    const uint32_t leaf =
+        addMaterial(mesh, "leaf", {random.between(0.08, 0.3), random.between(0.3, 0.45), random.between(0.05, 0.12)});
     const double height = random.between(2.2, 3.2);
     beginObject(mesh, "trunk");
     addLathe(mesh, {}, {{0.18, 0.0}, {0.12, 0.5}, {0.1, 0.6 * height}, {0.05, height}}, 10, bark);
