@@ -1,5 +1,6 @@
 #include "engine/scene/emitters.h"
 
+#include "engine/core/finite.h"
 #include "engine/scene/alias_table.h"
 #include "engine/scene/instances.h"
 #include "engine/scene/texture_mean.h"
@@ -117,7 +118,9 @@ std::vector<AliasSlot> distribute(std::vector<Candidate>& candidates, Includes i
     for (Candidate& candidate : candidates) {
         double p = 0.0;
         if (includes(candidate)) {
-            const double share = total > 0.0 ? candidate.power / total : 1.0 / static_cast<double>(count);
+            const double share = total > 0.0 && hasFiniteBits(static_cast<float>(total))
+                                     ? candidate.power / total
+                                     : 1.0 / static_cast<double>(count);
             p = (1.0 - kDefensiveShare) * share + kDefensiveShare / static_cast<double>(count);
         }
         probabilities.push_back(p);

@@ -23,16 +23,19 @@ using VplResample = GpuTest;
 TEST_F(VplResample, ACycleOfInterleavedPicturesIsTheWholeGather) {
     const Scene scene = sphereInBox();
     for (const bool shadows : {false, true})
-        for (const uint32_t n : {2u, 3u, 5u}) {
+        for (const uint32_t n : {2u, 3u}) {
             SCOPED_TRACE(n);
             RenderSettings settings = gatherSettings(23, 17);
             settings.castShadows = shadows;
             const Image whole = render(scene, settings);
             settings.interleave = n;
+            Renderer renderer(device(), scene, settings);
             std::vector<double> sum(whole.texels.size());
             double largestStep = 0.0;
             for (settings.interleavePhase = 0; settings.interleavePhase < n * n; ++settings.interleavePhase) {
-                const Image part = render(scene, settings);
+                renderer.restart(settings);
+                renderer.renderFrame();
+                const Image part = renderer.radiance();
                 for (size_t i = 0; i < sum.size(); ++i) {
                     sum[i] += double{part.texels[i]} / (n * n);
                     largestStep = std::max(largestStep, std::abs(double{part.texels[i]} - double{whole.texels[i]}));
@@ -86,7 +89,7 @@ TEST_P(ResampledMeans, AreThoseOfThePathTracer) {
     const PictureSamples truth = samplePictures(scene, truthful, {.first = 1000, .count = 24, .frames = 48});
     settings.interleave = 2;
     settings.shadowRays = 2;
-    const PictureSamples resampled = samplePictures(scene, settings, {.count = 24, .frames = 8});
+    const PictureSamples resampled = samplePictures(scene, settings, {.count = 32, .frames = 12});
     expectSameMeans(resampled, truth, 0.008);
     EXPECT_TRUE(toldApart(scaled(resampled, 1.05), truth));
 }
