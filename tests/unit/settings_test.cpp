@@ -108,9 +108,10 @@ TEST(ScenePlan, LeavesNothingOutIfAskedTo) {
     scene.vertices.resize(3);
     scene.triangles = {{{0, 1, 2}, 0}};
     scene.materials.resize(1);
-    for (const PlanDecision& decision : planScene(scene, true).decisions)
-        if (decision.canBeKept && decision.what != "two levels of rays")
-            EXPECT_FALSE(decision.leftOut) << decision.what;
+    for (const PlanDecision& decision : planScene(scene, true).decisions) {
+        const bool isKept = decision.canBeKept && decision.what != "two levels of rays";
+        EXPECT_FALSE(isKept && decision.leftOut) << decision.what;
+    }
 }
 
 TEST(GatherTuner, TriesEachCandidateTwiceAndKeepsTheFastestSecondRun) {
