@@ -9,6 +9,7 @@
 #include "shaders/shared/trace_rays.h"
 #include "shaders/shared/vpl_emission.h"
 #include "shaders/shared/vpl_light.h"
+#include "shaders/shared/vpl_resample.h"
 #include "shaders/shared/window.h"
 #include "tests/unit/spirv_layout.h"
 
@@ -115,6 +116,11 @@ const std::map<std::string, ExpectedStruct> kStructs = {
        MEMBER(ShadePush, vplCount), MEMBER(ShadePush, showEmission), MEMBER(ShadePush, firstRow),
        MEMBER(ShadePush, firstGloss)},
       sizeof(shared::ShadePush)}},
+    {"ResamplePush",
+     {{MEMBER(ResamplePush, interleave), MEMBER(ResamplePush, phase), MEMBER(ResamplePush, firstVpl),
+       MEMBER(ResamplePush, endVpl), MEMBER(ResamplePush, firstTileRow), MEMBER(ResamplePush, tilesAcross),
+       MEMBER(ResamplePush, tilesDown)},
+      sizeof(shared::ResamplePush)}},
     {"TonemapPush", {{MEMBER(TonemapPush, scale), MEMBER(TonemapPush, curve)}, sizeof(shared::TonemapPush)}},
     {"ShowPush", {{MEMBER(ShowPush, channel), MEMBER(ShowPush, depthScale)}, sizeof(shared::ShowPush)}},
     {"ShowVplsPush", {{MEMBER(ShowVplsPush, radius), MEMBER(ShowVplsPush, brightness)}, sizeof(shared::ShowVplsPush)}},
