@@ -69,7 +69,7 @@ def page(entries):
         text += "| " + " | ".join(title for title, _ in MODES.values()) + " |\n" + "|---" * len(MODES) + "|\n"
         text += "| " + " | ".join(f"![{name}, {title}](gallery/{name}-{mode}.png)"
                                   for mode, (title, _) in MODES.items()) + " |\n"
-        text += "| " + " | ".join(f"`{entry['pictures'][mode]['settings']}`, {entry['pictures'][mode]['frames']} frames"
+        text += "| " + " | ".join(f"`{entry['pictures'][mode]['settings']}`, frames: {entry['pictures'][mode]['frames']}"
                                   for mode in MODES) + " |\n"
     return text
 
