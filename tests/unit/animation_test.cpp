@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace manylight {
 namespace {
@@ -47,7 +48,7 @@ TEST(KeyFrames, RotationsTurnTheShorterWayAtOneSpeed) {
         channelOf(NodeProperty::Rotation, KeyInterpolation::Linear, {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half});
     for (const double time : {0.25, 0.5, 0.9}) {
         const std::array<double, 4> q = valueAt(turn, time);
-        EXPECT_NEAR(std::abs(q[2]), std::sin(time * 0.25 * 3.14159265358979), 1e-12) << time;
+        EXPECT_NEAR(std::abs(q[2]), std::sin(time * 0.25 * std::numbers::pi), 1e-12) << time;
         EXPECT_NEAR(q[2] * q[2] + q[3] * q[3], 1.0, 1e-12);
     }
 }
