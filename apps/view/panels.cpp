@@ -46,6 +46,7 @@ void drawRenderSettings(const RenderSettings& settings, const RenderSettings& re
     for (const SettingHelp& help : settingHelps()) {
         const std::string option = help.option;
         if (option == "size") continue;                       // the window's
+        if (option == "plan-keeps") continue;                 // for measuring; "Left out" shows what it would name
         if (!prefix.empty() && option == "camera") continue;  // both look through one
         Json value = settingValue(settings, option);
         if (value.is_null()) value = settingValue(resolved, option);
