@@ -137,7 +137,8 @@ Findings unequalLights(StabilityLab& lab) {
     RenderSettings settings = withClamp(stabilitySettings(), ClampMode::Compensate);
     settings.vplCount = 2048;
     Findings findings;
-    findings.push_back(meanIs("deferred, weak room", lab.means(scene, settings), 2.0, 0.02));
+    // One path in twenty starts in the weak room; an alias table does not stratify how many.
+    findings.push_back(meanIs("deferred, weak room", lab.means(scene, settings, 16, 6), 2.0, 0.02));
     findings.push_back(meanIs("path tracer, weak room",
                               lab.means(scene, withTechnique(settings, Technique::PathTracer), 16, 16), 2.0, 0.02));
     return findings;
