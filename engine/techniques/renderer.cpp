@@ -28,7 +28,7 @@ namespace manylight {
 namespace {
 
 // Measured: c of the two bounds, on the Cornell box; with compensation on Sponza and a classroom too (docs/results.md).
-constexpr float kVanishingBound = 10.0f;
+constexpr float kVanishingBound = 7.0f;
 constexpr float kCompensatedBound = 30.0f;
 
 constexpr uint32_t kMostPaths = 1u << 21;  // that are taken without being asked for
