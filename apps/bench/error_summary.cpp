@@ -76,16 +76,23 @@ ErrorRow makeRow(const Checkpoint& checkpoint, const Truth& truth) {
 double secondsOf(const ErrorRow& row) { return row.seconds; }
 double framesOf(const ErrorRow& row) { return static_cast<double>(row.frames); }
 
+/// RMSE against the truth: the squared error against a reference has that of the reference in it, which is independent.
+double rmseOf(const ErrorReport& report, const Truth& truth) {
+    return std::sqrt(std::max(report.rmse * report.rmse - truth.error * truth.error, 0.0));
+}
+
+double rmseWithoutWorstOf(const ErrorReport& report, const Truth&) { return report.rmseWithoutWorst; }
+
 /// Over the logarithm of `place`. One fit a seed, so that their scatter is the slope's error.
 std::optional<Estimate> slopeOf(const ModeRun& run, const std::vector<ErrorRow>& rows, const Truth& truth,
-                                double ErrorReport::*error, double (*place)(const ErrorRow&)) {
+                                double (*error)(const ErrorReport&, const Truth&), double (*place)(const ErrorRow&)) {
     std::vector<double> slopes;
     for (size_t seed = 0; seed < run.checkpoints.front().images.size(); ++seed) {
         std::vector<double> places, errors;
         for (size_t i = 0; i < rows.size(); ++i) {
             if (!rows[i].isMeasurable) continue;
             const double value =
-                compareImages(run.checkpoints[i].images[seed], truth.reference.image, truth.mask).*error;
+                error(compareImages(run.checkpoints[i].images[seed], truth.reference.image, truth.mask), truth);
             if (!(value > 0.0)) continue;
             places.push_back(std::log(place(rows[i])));
             errors.push_back(std::log(value));
@@ -107,9 +114,9 @@ ModeSummary summariseMode(const ModeRun& run, const Truth& truth, Progress& prog
         summary.rows.push_back(makeRow(checkpoint, truth));
         progress.advance();
     }
-    summary.slope = slopeOf(run, summary.rows, truth, &ErrorReport::rmse, secondsOf);
-    summary.slopeWithoutWorst = slopeOf(run, summary.rows, truth, &ErrorReport::rmseWithoutWorst, secondsOf);
-    summary.slopeOverFrames = slopeOf(run, summary.rows, truth, &ErrorReport::rmse, framesOf);
+    summary.slope = slopeOf(run, summary.rows, truth, rmseOf, secondsOf);
+    summary.slopeWithoutWorst = slopeOf(run, summary.rows, truth, rmseWithoutWorstOf, secondsOf);
+    summary.slopeOverFrames = slopeOf(run, summary.rows, truth, rmseOf, framesOf);
     std::vector<double> missing;
     for (const Image& image : run.checkpoints.back().images) missing.push_back(meanOf(reference) - meanOf(image));
     summary.missing = estimate(missing);

@@ -2,16 +2,23 @@
 
 #include "engine/passes/surface_options.h"
 #include "engine/passes/visibility.h"
+#include "engine/passes/visibility_rays.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
-GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
-                   std::span<const DrawRange> draws, uint32_t width, uint32_t height) {
-    const Visibility visibility = addVisibility(graph, scene, plan, draws, width, height);
+GBuffer addGBuffer(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, std::span<const DrawRange> draws,
+                   bool byRays, uint32_t width, uint32_t height) {
     GBuffer gbuffer;
-    gbuffer.depth = visibility.depth;
+    ImageHandle seen;
+    if (byRays) {
+        seen = addVisibilityByRays(graph, scene, plan, width, height);
+    } else {
+        const Visibility visibility = addVisibility(graph, scene, plan, draws, width, height);
+        seen = visibility.triangle;
+        gbuffer.depth = visibility.depth;
+    }
     gbuffer.position = graph.createImage("G-buffer position", {VK_FORMAT_R32G32B32A32_UINT, width, height});
     gbuffer.shading = graph.createImage("G-buffer shading", {VK_FORMAT_R32G32B32A32_UINT, width, height});
 
@@ -20,7 +27,7 @@ GBuffer addGBuffer(FrameGraph& graph, const SceneHandles& scene, const ScenePlan
 
     PassBuilder lookUp = graph.addPass("gbuffer");
     readSurfaces(lookUp, scene, PipelineKind::Compute);
-    lookUp.read(visibility.triangle, Access::ComputeStorageRead, shared::kBindingVisibility);
+    lookUp.read(seen, Access::ComputeStorageRead, shared::kBindingVisibility);
     gbuffer.position = lookUp.write(gbuffer.position, Access::ComputeStorageWrite, shared::kBindingGBufferPosition);
     gbuffer.shading = lookUp.write(gbuffer.shading, Access::ComputeStorageWrite, shared::kBindingGBufferShading);
     gbuffer.gloss = lookUp.write(gbuffer.gloss, Access::ComputeStorageWrite, shared::kBindingGBufferGloss);

@@ -14,6 +14,7 @@ struct FrameInputs {
     uint32_t subgroupSize = 32;
     uint32_t pixelsPerInvocation = 4;  // of the gather without shadows
     glm::vec3 environmentRadiance{0.0f};
+    bool gbufferByRays = false;
     bool keepsCutOff = false;  // TechniqueResult::cutOff is asked for
 };
 

@@ -54,7 +54,8 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
     const RenderSettings& settings = inputs.settings;
     const uint32_t width = settings.width;
     const uint32_t height = settings.height;
-    const GBuffer gbuffer = addGBuffer(graph, scene, inputs.plan, inputs.gpuScene.draws, width, height);
+    const GBuffer gbuffer =
+        addGBuffer(graph, scene, inputs.plan, inputs.gpuScene.draws, inputs.gbufferByRays, width, height);
     if (const auto channel = channelShown(settings.show))
         return {addShowGBuffer(graph, scene, inputs.plan, gbuffer, *channel, 0.5f / inputs.gpuScene.sphere.radius,
                                width, height),

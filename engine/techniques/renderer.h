@@ -92,6 +92,7 @@ class Renderer {
     void measureLitArea();
     void makeTargets();
     void writeFrameConstants();
+    void chooseGBuffer();
     FrameGraph declareFrame();
     ImageHandle declareDisplay(FrameGraph& graph, const SceneHandles& scene, ImageHandle sum, uint32_t frameCount);
     void refuseNonFinite(const Execution& execution) const;

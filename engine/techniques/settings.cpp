@@ -41,6 +41,9 @@ constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show
 constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
                                 Name<ToneCurve>{ToneCurve::Reinhard, "reinhard"},
                                 Name<ToneCurve>{ToneCurve::Aces, "aces"}};
+constexpr std::array kGBuffers = {Name<GBufferBy>{GBufferBy::Auto, "auto"},
+                                  Name<GBufferBy>{GBufferBy::Raster, "raster"},
+                                  Name<GBufferBy>{GBufferBy::Rays, "rays"}};
 
 template <typename Enum, size_t N>
 const char* nameIn(const std::array<Name<Enum>, N>& names, Enum value) {
@@ -146,6 +149,9 @@ const std::vector<Setting>& settingTable() {
         {{"sequence", "continued|independent", "frames share low-discrepancy points, or each draws its own"},
          [](S& s, T o, T v) { s.continuesSequences = parseName(kSequences, o, v); },
          [](C s) -> Json { return nameIn(kSequences, s.continuesSequences); }},
+        {{"gbuffer", "auto|raster|rays", "what a pixel sees is found by the rasteriser or by rays; deferred"},
+         [](S& s, T o, T v) { s.gbuffer = parseName(kGBuffers, o, v); },
+         [](C s) -> Json { return name(s.gbuffer); }},
         {{"size", "WxH", "pixels"},
          [](S& s, T o, T v) { parseSize(s, o, v); },
          [](C s) -> Json { return fmt::format("{}x{}", s.width, s.height); }},
@@ -193,6 +199,7 @@ const char* name(ClampMode clamp) { return nameIn(kClamps, clamp); }
 const char* name(Materials materials) { return nameIn(kMaterials, materials); }
 const char* name(Show show) { return nameIn(kShows, show); }
 const char* name(ToneCurve curve) { return nameIn(kCurves, curve); }
+const char* name(GBufferBy gbuffer) { return nameIn(kGBuffers, gbuffer); }
 
 const std::vector<SettingHelp>& settingHelps() {
     static const std::vector<SettingHelp> helps = [] {

@@ -35,6 +35,12 @@ enum class Materials : uint8_t {
 
 enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material, CutOff };
 
+enum class GBufferBy : uint8_t {
+    Auto,    // as is faster here
+    Raster,  // the rasteriser
+    Rays,    // a ray through every pixel
+};
+
 enum class ToneCurve : uint8_t { Linear, Reinhard, Aces };
 
 struct RenderSettings {
@@ -44,6 +50,7 @@ struct RenderSettings {
     Materials materials = Materials::Full;
     Show show = Show::Picture;
     ToneCurve toneCurve = ToneCurve::Aces;
+    GBufferBy gbuffer = GBufferBy::Auto;
     uint32_t width = 0;  // pixels; 0: as the scene's camera says, else 512 x 384
     uint32_t height = 0;
     uint32_t vplCount = 800;         // VPLs shaded in every frame; 0: none
@@ -76,6 +83,7 @@ const char* name(ClampMode clamp);
 const char* name(Materials materials);
 const char* name(Show show);
 const char* name(ToneCurve curve);
+const char* name(GBufferBy gbuffer);
 /// Sets one setting by its option name without dashes ("vpls", "shadows"), from text. Throws Error (usage) naming the
 /// option, the value and what was expected.
 void applySetting(RenderSettings& settings, const std::string& option, const std::string& value);

@@ -42,6 +42,7 @@ RenderSettings plainSettings(uint32_t width, uint32_t height) {
     settings.bounceCount = 0;
     settings.russianRoulette = false;
     settings.castShadows = false;
+    settings.gbuffer = GBufferBy::Raster;  // as forward techniques do
     return settings;
 }
 

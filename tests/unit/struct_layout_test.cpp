@@ -7,6 +7,7 @@
 #include "shaders/shared/show.h"
 #include "shaders/shared/tonemap.h"
 #include "shaders/shared/trace_rays.h"
+#include "shaders/shared/visibility_rays.h"
 #include "shaders/shared/vpl_emission.h"
 #include "shaders/shared/vpl_light.h"
 #include "shaders/shared/vpl_resample.h"
@@ -116,6 +117,8 @@ const std::map<std::string, ExpectedStruct> kStructs = {
        MEMBER(ShadePush, vplCount), MEMBER(ShadePush, showEmission), MEMBER(ShadePush, firstRow),
        MEMBER(ShadePush, firstGloss)},
       sizeof(shared::ShadePush)}},
+    {"VisibilityRaysPush",
+     {{MEMBER(VisibilityRaysPush, firstRow), MEMBER(VisibilityRaysPush, endRow)}, sizeof(shared::VisibilityRaysPush)}},
     {"ResamplePush",
      {{MEMBER(ResamplePush, interleave), MEMBER(ResamplePush, phase), MEMBER(ResamplePush, firstVpl),
        MEMBER(ResamplePush, endVpl), MEMBER(ResamplePush, firstTileRow), MEMBER(ResamplePush, tilesAcross),
