@@ -18,7 +18,7 @@ std::vector<uint32_t> verticesOf(const Scene& scene, const SharedMesh& mesh) {
     for (uint32_t k = 0; k < mesh.triangleCount; ++k)
         for (const uint32_t vertex : scene.triangles[mesh.firstTriangle + k].vertex) vertices.push_back(vertex);
     std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());  // clang 14 cannot do ranges::unique
     return vertices;
 }
 
