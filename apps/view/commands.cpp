@@ -58,6 +58,8 @@ void Viewer::performCommand(const Command& command) {
     if (name == "resize")
         return window_.resize({wholeNumber(command, 1, 1, 1 << 14), wholeNumber(command, 2, 1, 1 << 14)});
     if (name == "frames") {
+        if (state_.view.plays)
+            fail("{}: frames: expected 'set play off' before; what plays has no mean", command.place);
         holdFrames_ = wholeNumber(command, 1, 1, 1 << 24);
         for (Side* side : {&main_, &other_})
             if (side->frameCount() > holdFrames_) side->forget();
@@ -85,6 +87,7 @@ void Viewer::performCommand(const Command& command) {
 }
 
 void Viewer::set(const std::string& option, const std::string& value) {
+    if (isPlaybackSetting(option) && !playable_.isAnimated()) fail("{}: nothing moves in this scene", option);
     if (isViewSetting(option)) return applyViewSetting(state_.view, option, value);
     if (option.starts_with(kOtherPrefix)) return applySetting(other_.settings, option.substr(6), value);
     applySetting(main_.settings, option, value);

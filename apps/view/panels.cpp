@@ -22,7 +22,8 @@ constexpr std::array kViews = {NamedView{"both", "both", "picture"},      NamedV
                                NamedView{"global", "global", "picture"},  NamedView{"VPLs", "both", "vpls"},
                                NamedView{"normal", "both", "normal"},     NamedView{"albedo", "both", "albedo"},
                                NamedView{"depth", "both", "depth"},       NamedView{"position", "both", "position"},
-                               NamedView{"material", "both", "material"}, NamedView{"cut off", "both", "cut-off"}};
+                               NamedView{"material", "both", "material"}, NamedView{"cut off", "both", "cut-off"},
+                               NamedView{"rays", "both", "rays"}};
 
 void drawViews(const PanelView& view, PanelAnswer& answer) {
     const RenderSettings& settings = view.main.settings;
@@ -51,6 +52,15 @@ void drawRenderSettings(const RenderSettings& settings, const RenderSettings& re
         Json value = settingValue(settings, option);
         if (value.is_null()) value = settingValue(resolved, option);
         drawSetting(help, value, prefix, answer);
+    }
+}
+
+/// Those of the animation, or all others.
+void drawViewSettings(const PanelView& view, bool playback, PanelAnswer& answer) {
+    for (SettingHelp help : viewSettingHelps()) {
+        if (isPlaybackSetting(help.option) != playback) continue;
+        if (help.option == std::string("at")) help.sliderHigh = view.state.animationEnd;
+        drawSetting(help, viewSettingValue(view.state.view, help.option), "", answer);
     }
 }
 
@@ -111,11 +121,11 @@ void drawMain(const PanelView& view, PanelAnswer& answer) {
         ImGui::PushItemWidth(120 * scale);
         drawState(view);
         drawViews(view, answer);
+        if (view.state.animationEnd > 0.0 && ImGui::CollapsingHeader("Animation", ImGuiTreeNodeFlags_DefaultOpen))
+            drawViewSettings(view, true, answer);
         if (ImGui::CollapsingHeader("Rendering", ImGuiTreeNodeFlags_DefaultOpen))
             drawRenderSettings(view.main.settings, view.main.renderer().settings(), "", answer);
-        if (ImGui::CollapsingHeader("Window"))
-            for (const SettingHelp& help : viewSettingHelps())
-                drawSetting(help, viewSettingValue(view.state.view, help.option), "", answer);
+        if (ImGui::CollapsingHeader("Window")) drawViewSettings(view, false, answer);
         if (ImGui::CollapsingHeader("Camera")) drawCamera(view, answer);
         if (ImGui::CollapsingHeader("Lights")) drawLights(view, answer);
         if (view.state.view.compare != Compare::Off &&

@@ -6,6 +6,7 @@
 #include "apps/view/input.h"
 #include "apps/view/presenter.h"
 #include "apps/view_model/camera_motion.h"
+#include "apps/view_model/playable_scene.h"
 #include "apps/view_model/script.h"
 #include "apps/view_model/shader_reloader.h"
 #include "apps/view_model/time_history.h"
@@ -21,6 +22,7 @@ struct ViewerOptions {
     std::filesystem::path script;
     std::filesystem::path reference;     // EXR that differences are taken from; empty: the other side
     std::filesystem::path watchShaders;  // source tree
+    std::string instances = "auto";
     std::string device;
     PresentMode presentMode = PresentMode::Fifo;
     TypedSettings settings;
@@ -30,7 +32,8 @@ struct ViewerOptions {
 /// What the panels tell of; they change it by commands only.
 struct ViewState {
     ViewSettings view;
-    std::unique_ptr<Scene> scene;
+    Scene* scene = nullptr;
+    double animationEnd = 0.0;  // seconds; 0: nothing moves by itself
     bool lightsChanged = false;
     CameraMotion motion;
     bool cameraMoved = false;  // away from the scene's camera
@@ -54,7 +57,7 @@ class Viewer {
   private:
     /// What there is before the window.
     struct Start {
-        std::unique_ptr<Scene> scene;
+        PlayableScene scene;
         RenderSettings settings;
         glm::uvec2 size{0};
     };
@@ -62,11 +65,12 @@ class Viewer {
     Viewer(const ViewerOptions& options, Start start);
 
     void open(const std::filesystem::path& file);
-    void take(std::unique_ptr<Scene> scene);
+    void take(PlayableScene scene);
     void frame();
     void followScript();
     void takeInput(double seconds);
     void reloadShaders();
+    void followAnimation(double seconds);
     void render();
     void renderSide(Side& side, const SideView& view);
     void compareSides();
@@ -100,6 +104,7 @@ class Viewer {
     gpu::Device device_;
     Input input_;
     Presenter presenter_;
+    PlayableScene playable_;
     ViewState state_;
     Side main_;
     Side other_;
