@@ -119,6 +119,7 @@ void Viewer::writeReport(const std::filesystem::path& file) {
                    {"validation_messages", device_.instance().validationMessages()}};
     if (playable_.isAnimated())
         report["animation"] = {{"at", playable_.time()}, {"end", playable_.end()}, {"plays", state_.view.plays}};
+    if (!fps_.cells().empty()) report["fps_table"] = toJson(fps_);
     if (comparison_.report()) report["rmse"] = comparison_.report()->rmse;
     if (comparison_.flip()) report["flip"] = *comparison_.flip();
     writeTextFile(file, report.dump(2) + "\n");

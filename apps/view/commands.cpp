@@ -46,6 +46,7 @@ void Viewer::performCommand(const Command& command) {
         main_.forget();
         return other_.forget();
     }
+    if (name == "fps-table") return startFps(command);
     if (name == "watch") {
         watchedAt_ = {};
         return;
@@ -84,6 +85,24 @@ void Viewer::performCommand(const Command& command) {
     } else {
         waitFrames_ = wholeNumber(command, 1, 1, 1 << 20);
     }
+}
+
+void Viewer::stopFps() {
+    if (!fps_.isRunning()) return;
+    fps_.stop();
+    main_.forget();  // its renderer is as the measurement left it
+}
+
+void Viewer::startFps(const Command& command) {
+    if (fps_.isRunning()) return stopFps();
+    if (!main_.exists()) fail("{}: there is no picture to measure", command.place);
+    std::vector<uint32_t> vplCounts;
+    for (size_t i = 1; i < command.words.size(); ++i) vplCounts.push_back(wholeNumber(command, i, 1, 1 << 21));
+    RenderSettings settings = main_.settings;
+    settings.width = sideView().size.x;
+    settings.height = sideView().size.y;
+    fps_.start(settings, std::move(vplCounts), device_.info().isSoftware());
+    state_.view.plays = false;
 }
 
 void Viewer::set(const std::string& option, const std::string& value) {

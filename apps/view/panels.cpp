@@ -64,7 +64,7 @@ void drawViewSettings(const PanelView& view, bool playback, PanelAnswer& answer)
     }
 }
 
-void drawState(const PanelView& view) {
+void drawState(const PanelView& view, PanelAnswer& answer) {
     const ViewState& state = view.state;
     const RenderSettings& shown = view.main.renderer().settings();
     ImGui::Text("%s", state.scene->name.c_str());
@@ -72,6 +72,8 @@ void drawState(const PanelView& view) {
     const double milliseconds = state.times.medianTotal();
     ImGui::Text("%.1f ms, %.1f FPS%s", milliseconds, milliseconds > 0.0 ? 1000.0 / milliseconds : 0.0,
                 state.isMoving ? " (moving)" : "");
+    if (ImGui::SmallButton(view.fps.isRunning() ? "stop measuring" : "measure FPS"))
+        answer.commands.emplace_back("fps-table");
     if (state.quality != FrameQuality{})
         ImGui::Text("budget %.0f ms: %.0f %% of the size, %.1f %% of the VPLs", state.view.budget,
                     100.0 * state.quality.scale, 100.0 * state.quality.vpls);
@@ -119,7 +121,7 @@ void drawMain(const PanelView& view, PanelAnswer& answer) {
     ImGui::SetNextWindowSize({300 * scale, 0.85f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Manylight")) {
         ImGui::PushItemWidth(120 * scale);
-        drawState(view);
+        drawState(view, answer);
         drawViews(view, answer);
         if (view.state.animationEnd > 0.0 && ImGui::CollapsingHeader("Animation", ImGuiTreeNodeFlags_DefaultOpen))
             drawViewSettings(view, true, answer);
@@ -200,6 +202,7 @@ PanelAnswer drawPanels(const PanelView& view) {
         drawLightHandles(view, answer);
         drawMain(view, answer);
         if (settings.timings) drawTimings(view);
+        if (!view.fps.cells().empty()) drawFps(view);
         drawMessage(view);
     }
     if (settings.help) drawKeys();

@@ -88,6 +88,7 @@ void Viewer::open(const std::filesystem::path& file) {
 
 void Viewer::take(PlayableScene scene) {
     other_.drop();  // it knows the old scene
+    fps_ = {};
     playable_ = std::move(scene);
     state_.scene = &playable_.scene();
     state_.animationEnd = playable_.end();
@@ -135,10 +136,14 @@ void Viewer::frame() {
     ImGui::Render();
     const Clock::time_point start = Clock::now();
     if (!window_.isMinimised()) {
-        followAnimation(seconds);
-        render();
+        if (fps_.isRunning()) {
+            measureFps();
+        } else {
+            followAnimation(seconds);
+            render();
+            if (main_.exists()) compareSides();
+        }
         if (main_.exists()) {
-            compareSides();
             present(secondsSince(start));
         }
     }
@@ -154,11 +159,11 @@ bool Viewer::isDone() const {
     const auto sideIsDone = [&](const Side& side) {
         return !side.isStale(sideView()) && side.frameCount() >= frameLimit();
     };
-    return !state_.isMoving && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
+    return !state_.isMoving && !fps_.isRunning() && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
 }
 
 bool Viewer::isWaiting() const {
-    return waitFrames_ > 0 || (holdFrames_ > 0 && !isDone()) ||
+    return waitFrames_ > 0 || fps_.isRunning() || (holdFrames_ > 0 && !isDone()) ||
            (!awaited_.empty() && !std::filesystem::exists(awaited_));
 }
 
@@ -188,7 +193,7 @@ void Viewer::takeInput(double seconds) {
 
 void Viewer::showPanels() {
     if (!main_.exists()) return;
-    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_, device_,
+    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_, fps_, device_,
                                            presenter_.swapchain().describe(), reference_.has_value(), heldLight_});
     if (answer.isDragging) secondsSinceMove_ = 0.0;
     for (const std::string& command : answer.commands) perform(parseCommand(command, "panel"));

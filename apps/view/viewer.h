@@ -3,6 +3,7 @@
 
 #include "apps/common/command_line.h"
 #include "apps/view/comparison.h"
+#include "apps/view/fps_rows.h"
 #include "apps/view/input.h"
 #include "apps/view/presenter.h"
 #include "apps/view_model/camera_motion.h"
@@ -70,6 +71,7 @@ class Viewer {
     void followScript();
     void takeInput(double seconds);
     void reloadShaders();
+    void measureFps();
     void followAnimation(double seconds);
     void render();
     void renderSide(Side& side, const SideView& view);
@@ -89,6 +91,8 @@ class Viewer {
     bool performLightCommand(const Command& command);
     void set(const std::string& option, const std::string& value);
     void chooseNext(const std::string& option);
+    void startFps(const Command& command);
+    void stopFps();
     void changeLight(const Command& command);
     void lightsHaveChanged();
     void tell(std::string message, bool isError = false);
@@ -109,6 +113,7 @@ class Viewer {
     Side main_;
     Side other_;
     Comparison comparison_;
+    FpsRows fps_;
     std::optional<Image> reference_;
     std::unique_ptr<ShaderReloader> reloader_;
     std::vector<Command> script_;

@@ -19,6 +19,20 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 }  // namespace
 
+void Viewer::measureFps() {
+    passTimes_.clear();
+    presenter_.finish();  // another technique may want another picture
+    try {
+        fps_.step(main_.renderer());
+        if (fps_.isRunning()) return;
+        main_.forget();  // its renderer is as the measurement left it
+        tell("the FPS table is complete");
+    } catch (const Error& error) {
+        stopFps();
+        tell(error.what(), true);
+    }
+}
+
 void Viewer::followAnimation(double seconds) {
     if (!playable_.isAnimated()) return;
     ViewSettings& view = state_.view;
