@@ -18,9 +18,6 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-constexpr double kSlowFrame = 2000.0;            // milliseconds; such frames are warmed up once only
-constexpr uint32_t kMaxShadowedOnSoftware = 90;  // a shadow ray costs a software driver 100 times an unshadowed pair
-
 bool contains(const std::vector<std::string>& list, const std::string& text) {
     return std::find(list.begin(), list.end(), text) != list.end();
 }
@@ -53,38 +50,6 @@ std::vector<FpsSamples> makeCells(const FpsOptions& options, const std::vector<u
             }
     }
     return cells;
-}
-
-void addPassTimes(std::vector<PassSamples>& passes, const std::vector<PassTime>& times) {
-    for (PassSamples& pass : passes) pass.milliseconds.push_back(0.0);
-    for (const PassTime& time : times) {
-        auto pass =
-            std::find_if(passes.begin(), passes.end(), [&](const auto& known) { return known.pass == time.pass; });
-        if (pass == passes.end()) pass = passes.insert(passes.end(), {time.pass, {0.0}});
-        pass->milliseconds.back() += time.milliseconds;
-    }
-}
-
-/// Renders a frame and returns its milliseconds, submit to fence.
-double measureFrame(Renderer& renderer, FpsSamples* samples) {
-    const auto start = Clock::now();
-    const Execution execution = renderer.renderFrame();
-    const double total = 1000.0 * secondsSince(start);
-    if (samples != nullptr) {
-        samples->wall.push_back(execution.wallMilliseconds);
-        samples->host.push_back(total - execution.wallMilliseconds);
-        samples->gpu.push_back(execution.gpuMilliseconds);
-        samples->vplsShaded.push_back(renderer.status().vplsShaded);
-        addPassTimes(samples->passes, execution.passTimes);
-    }
-    return execution.wallMilliseconds;
-}
-
-void restartFor(Renderer& renderer, RenderSettings settings, const FpsCell& cell) {
-    settings.technique = cell.technique;
-    settings.castShadows = cell.castShadows;
-    settings.vplCount = cell.vplCount;
-    renderer.restart(settings);
 }
 
 double firstFrameSeconds(Renderer& renderer, const RenderSettings& settings, const std::vector<FpsSamples>& cells) {

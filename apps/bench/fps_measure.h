@@ -2,32 +2,9 @@
 #pragma once
 
 #include "apps/bench/fps_options.h"
-#include "engine/techniques/renderer.h"
+#include "apps/common/fps_samples.h"
 
 namespace manylight {
-
-/// One combination that is measured.
-struct FpsCell {
-    Technique technique = Technique::Deferred;
-    bool castShadows = false;
-    uint32_t vplCount = 0;
-};
-
-/// Milliseconds of one pass, or of the passes that share its name, in every frame.
-struct PassSamples {
-    std::string pass;
-    std::vector<double> milliseconds;
-};
-
-/// Samples of one cell, one a frame, over all rounds; milliseconds.
-struct FpsSamples {
-    FpsCell cell;
-    std::vector<double> wall;         // submit to fence
-    std::vector<double> host;         // the rest of Renderer::renderFrame(): declaring, compiling, recording
-    std::vector<double> gpu;          // first timestamp to last
-    std::vector<PassSamples> passes;  // in the order they ran
-    std::vector<double> vplsShaded;
-};
 
 /// What is paid once, in seconds.
 struct OneOffTimes {
@@ -47,7 +24,7 @@ struct FpsRun {
     std::vector<uint32_t> shadowedVplCounts;
     std::vector<FpsSamples> cells;    // by shadows, then VPL count, then technique
     std::vector<double> calibration;  // milliseconds: before every round, and after the last
-    bool isInterrupted = false;  // some combinations have fewer frames than asked for, or are missing
+    bool isInterrupted = false;       // some combinations have fewer frames than asked for, or are missing
     Warnings warnings;
 };
 

@@ -99,6 +99,7 @@ void Viewer::capture(std::filesystem::path file) {
 }
 
 void Viewer::writeReport(const std::filesystem::path& file) {
+    if (!main_.exists()) fail("report: there is no picture");
     Json passes = Json::object();
     for (size_t pass = 0; pass < state_.times.passes().size(); ++pass)
         passes[state_.times.passes()[pass]] = state_.times.mean(pass);
@@ -116,6 +117,9 @@ void Viewer::writeReport(const std::filesystem::path& file) {
                    {"is_error", state_.isError},
                    {"shader_problem", state_.shaderProblem},
                    {"validation_messages", device_.instance().validationMessages()}};
+    if (playable_.isAnimated())
+        report["animation"] = {{"at", playable_.time()}, {"end", playable_.end()}, {"plays", state_.view.plays}};
+    if (!fps_.cells().empty()) report["fps_table"] = toJson(fps_);
     if (comparison_.report()) report["rmse"] = comparison_.report()->rmse;
     if (comparison_.flip()) report["flip"] = *comparison_.flip();
     writeTextFile(file, report.dump(2) + "\n");

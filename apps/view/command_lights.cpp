@@ -79,6 +79,7 @@ void Viewer::changeLight(const Command& command) {
 
 void Viewer::lightsHaveChanged() {
     state_.lightsChanged = true;
+    stopFps();
     presenter_.finish();
     main_.relight(*state_.scene);
     other_.relight(*state_.scene);

@@ -46,6 +46,7 @@ void Viewer::performCommand(const Command& command) {
         main_.forget();
         return other_.forget();
     }
+    if (name == "fps-table") return startFps(command);
     if (name == "watch") {
         watchedAt_ = {};
         return;
@@ -58,6 +59,8 @@ void Viewer::performCommand(const Command& command) {
     if (name == "resize")
         return window_.resize({wholeNumber(command, 1, 1, 1 << 14), wholeNumber(command, 2, 1, 1 << 14)});
     if (name == "frames") {
+        if (state_.view.plays)
+            fail("{}: frames: expected 'set play off' before; what plays has no mean", command.place);
         holdFrames_ = wholeNumber(command, 1, 1, 1 << 24);
         for (Side* side : {&main_, &other_})
             if (side->frameCount() > holdFrames_) side->forget();
@@ -84,7 +87,26 @@ void Viewer::performCommand(const Command& command) {
     }
 }
 
+void Viewer::stopFps() {
+    if (!fps_.isRunning()) return;
+    fps_.stop();
+    main_.forget();  // its renderer is as the measurement left it
+}
+
+void Viewer::startFps(const Command& command) {
+    if (fps_.isRunning()) return stopFps();
+    if (!main_.exists()) fail("{}: there is no picture to measure", command.place);
+    std::vector<uint32_t> vplCounts;
+    for (size_t i = 1; i < command.words.size(); ++i) vplCounts.push_back(wholeNumber(command, i, 1, 1 << 21));
+    RenderSettings settings = main_.settings;
+    settings.width = sideView().size.x;
+    settings.height = sideView().size.y;
+    fps_.start(settings, std::move(vplCounts), device_.info().isSoftware());
+    state_.view.plays = false;
+}
+
 void Viewer::set(const std::string& option, const std::string& value) {
+    if (isPlaybackSetting(option) && !playable_.isAnimated()) fail("{}: nothing moves in this scene", option);
     if (isViewSetting(option)) return applyViewSetting(state_.view, option, value);
     if (option.starts_with(kOtherPrefix)) return applySetting(other_.settings, option.substr(6), value);
     applySetting(main_.settings, option, value);

@@ -8,11 +8,12 @@ int main(int argc, char** argv) {
     CLI::App app{"Shows a scene in a window.", "manylight-view"};
     addStandardOptions(app);
     app.footer(
-        "Keys: w a s d q e and the mouse move, f1 lists the others, tab hides the panels.\n"
+        "Keys: w a s d q e and the mouse move, p plays an animation, f1 lists the others, tab hides the panels.\n"
         "Examples:\n"
         "  manylight-view scenes/cornell_box.json\n"
         "  manylight-view scene.gltf --size 1280x720 --vpls 200 --budget 30\n"
         "  manylight-view scenes/cornell_box.json --compare split\n"
+        "  manylight-view moving.glb --play on --speed 0.5\n"
         "  xvfb-run -a manylight-view scenes/cornell_box.json --script tour.txt\n"
         "Exit codes: 0 done, 1 something failed (file, device, no display), 2 wrong usage.\n"
         "MANYLIGHT_VALIDATION=off|core|sync turns Vulkan's validation on.");
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
     app.add_option("--present", options.presentMode, "how frames follow each other, where the window system has it")
         ->transform(CLI::CheckedTransformer(modes, CLI::ignore_case).description(""))
         ->type_name("fifo|mailbox|immediate");
+    addInstancesOption(app, options.instances);
     app.add_option("--device", options.device, "index or part of the name of a Vulkan device");
     addSettingOptions(app, options.settings);
     addOptions(app, viewSettingHelps(), options.viewSettings, "Window");

@@ -16,9 +16,11 @@ void drawChoice(const SettingHelp& help, const std::string& label, const Json& v
     ImGui::EndCombo();
 }
 
-/// Most ranges span decades, but those around zero are even.
+/// Most ranges span decades, but those around zero and those of time are even.
 ImGuiSliderFlags flagsOf(const SettingHelp& help) {
-    return help.sliderLow >= 0.0 && help.sliderHigh > 50.0 ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
+    const bool isTime = help.values == std::string_view("SECONDS");
+    return !isTime && help.sliderLow >= 0.0 && help.sliderHigh > 50.0 ? ImGuiSliderFlags_Logarithmic
+                                                                      : ImGuiSliderFlags_None;
 }
 
 void drawWhole(const SettingHelp& help, const std::string& label, const Json& value, const std::string& command,

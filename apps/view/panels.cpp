@@ -22,7 +22,8 @@ constexpr std::array kViews = {NamedView{"both", "both", "picture"},      NamedV
                                NamedView{"global", "global", "picture"},  NamedView{"VPLs", "both", "vpls"},
                                NamedView{"normal", "both", "normal"},     NamedView{"albedo", "both", "albedo"},
                                NamedView{"depth", "both", "depth"},       NamedView{"position", "both", "position"},
-                               NamedView{"material", "both", "material"}, NamedView{"cut off", "both", "cut-off"}};
+                               NamedView{"material", "both", "material"}, NamedView{"cut off", "both", "cut-off"},
+                               NamedView{"rays", "both", "rays"}};
 
 void drawViews(const PanelView& view, PanelAnswer& answer) {
     const RenderSettings& settings = view.main.settings;
@@ -54,7 +55,16 @@ void drawRenderSettings(const RenderSettings& settings, const RenderSettings& re
     }
 }
 
-void drawState(const PanelView& view) {
+/// Those of the animation, or all others.
+void drawViewSettings(const PanelView& view, bool playback, PanelAnswer& answer) {
+    for (SettingHelp help : viewSettingHelps()) {
+        if (isPlaybackSetting(help.option) != playback) continue;
+        if (help.option == std::string("at")) help.sliderHigh = view.state.animationEnd;
+        drawSetting(help, viewSettingValue(view.state.view, help.option), "", answer);
+    }
+}
+
+void drawState(const PanelView& view, PanelAnswer& answer) {
     const ViewState& state = view.state;
     const RenderSettings& shown = view.main.renderer().settings();
     ImGui::Text("%s", state.scene->name.c_str());
@@ -62,6 +72,8 @@ void drawState(const PanelView& view) {
     const double milliseconds = state.times.medianTotal();
     ImGui::Text("%.1f ms, %.1f FPS%s", milliseconds, milliseconds > 0.0 ? 1000.0 / milliseconds : 0.0,
                 state.isMoving ? " (moving)" : "");
+    if (ImGui::SmallButton(view.fps.isRunning() ? "stop measuring" : "measure FPS"))
+        answer.commands.emplace_back("fps-table");
     if (state.quality != FrameQuality{})
         ImGui::Text("budget %.0f ms: %.0f %% of the size, %.1f %% of the VPLs", state.view.budget,
                     100.0 * state.quality.scale, 100.0 * state.quality.vpls);
@@ -109,13 +121,13 @@ void drawMain(const PanelView& view, PanelAnswer& answer) {
     ImGui::SetNextWindowSize({300 * scale, 0.85f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Manylight")) {
         ImGui::PushItemWidth(120 * scale);
-        drawState(view);
+        drawState(view, answer);
         drawViews(view, answer);
+        if (view.state.animationEnd > 0.0 && ImGui::CollapsingHeader("Animation", ImGuiTreeNodeFlags_DefaultOpen))
+            drawViewSettings(view, true, answer);
         if (ImGui::CollapsingHeader("Rendering", ImGuiTreeNodeFlags_DefaultOpen))
             drawRenderSettings(view.main.settings, view.main.renderer().settings(), "", answer);
-        if (ImGui::CollapsingHeader("Window"))
-            for (const SettingHelp& help : viewSettingHelps())
-                drawSetting(help, viewSettingValue(view.state.view, help.option), "", answer);
+        if (ImGui::CollapsingHeader("Window")) drawViewSettings(view, false, answer);
         if (ImGui::CollapsingHeader("Camera")) drawCamera(view, answer);
         if (ImGui::CollapsingHeader("Lights")) drawLights(view, answer);
         if (view.state.view.compare != Compare::Off &&
@@ -190,6 +202,7 @@ PanelAnswer drawPanels(const PanelView& view) {
         drawLightHandles(view, answer);
         drawMain(view, answer);
         if (settings.timings) drawTimings(view);
+        if (!view.fps.cells().empty()) drawFps(view);
         drawMessage(view);
     }
     if (settings.help) drawKeys();

@@ -11,6 +11,7 @@ struct PanelView {
     const Side& main;
     const Side& other;
     const Comparison& comparison;
+    const FpsRows& fps;
     gpu::Device& device;
     std::string window;  // the swapchain, in words
     bool hasReference = false;
@@ -31,6 +32,7 @@ void drawSetting(const SettingHelp& help, const Json& value, const std::string& 
 void drawLights(const PanelView& view, PanelAnswer& answer);
 void drawLightHandles(const PanelView& view, PanelAnswer& answer);
 void drawTimings(const PanelView& view);
+void drawFps(const PanelView& view);
 void drawPlan(const PanelView& view);
 void drawKeys();
 

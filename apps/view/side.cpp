@@ -83,6 +83,18 @@ void Side::showAsAsked() {
     if (renderer_) renderer_->setDisplay(settings.exposure, settings.toneCurve);
 }
 
+void Side::sceneMoved(const Scene& scene, AnimatedScene::Change change) {
+    if (change == AnimatedScene::Change::Everything) drop();
+    if (!renderer_) return;
+    try {
+        renderer_->sceneMoved(applied_);
+        if (!camera_) renderer_->lookThrough(scene.cameras.at(applied_.camera));
+    } catch (const Error&) {
+        drop();
+        throw;
+    }
+}
+
 void Side::relight(const Scene& scene) {
     if (renderer_) renderer_->relight(scene);
 }

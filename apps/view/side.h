@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/view_model/frame_budget.h"
+#include "engine/scene/animated_scene.h"
 #include "engine/techniques/renderer.h"
 
 #include <memory>
@@ -34,6 +35,8 @@ class Side {
     Execution render() { return renderer_->renderFrame(); }
     void forget() { isForgotten_ = true; }
     void relight(const Scene& scene);
+    /// After AnimatedScene::moveTo(), which `change` is of. Where it throws an Error, the next update() begins anew.
+    void sceneMoved(const Scene& scene, AnimatedScene::Change change);
     void drop() { renderer_.reset(); }
 
     bool exists() const { return renderer_ != nullptr; }

@@ -4,7 +4,6 @@
 #include "apps/view_model/key_bindings.h"
 #include "engine/core/file.h"
 #include "engine/image/image_io.h"
-#include "engine/scene/import.h"
 
 #include <imgui.h>
 
@@ -39,12 +38,15 @@ RenderSettings truthFor(RenderSettings settings) {
 
 Viewer::Start Viewer::load(const ViewerOptions& options) {
     if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
-    Start start{std::make_unique<Scene>(importScene(options.scene)), {}, {}};
-    printWarnings(start.scene->warnings);
-    start.settings = resolveSettings(*start.scene, options.settings);
-    const size_t camera = std::min<size_t>(start.settings.camera, start.scene->cameras.size() - 1);
+    ViewSettings view;
+    for (const auto& [option, value] : options.viewSettings) applyViewSetting(view, option, value);
+    Start start{PlayableScene(options.scene, instanceModeFrom(options.instances), view.at), {}, {}};
+    const Scene& scene = start.scene.scene();
+    printWarnings(scene.warnings);
+    start.settings = resolveSettings(scene, options.settings);
+    const size_t camera = std::min<size_t>(start.settings.camera, scene.cameras.size() - 1);
     start.size = start.settings.width > 0 ? glm::uvec2(start.settings.width, start.settings.height)
-                                          : start.scene->cameras[camera].resolution.value_or(glm::uvec2{512, 384});
+                                          : scene.cameras[camera].resolution.value_or(glm::uvec2{512, 384});
     return start;
 }
 
@@ -63,34 +65,40 @@ Viewer::Viewer(const ViewerOptions& options, Start start)
     if (!options.reference.empty()) reference_ = readExr(options.reference);
     if (!options.watchShaders.empty()) reloader_ = std::make_unique<ShaderReloader>(options.watchShaders);
     main_.settings = start.settings;
-    main_.update(*start.scene, sideView());
+    main_.update(start.scene.scene(), sideView());
     take(std::move(start.scene));
 }
 
 Viewer::~Viewer() { vkDeviceWaitIdle(device_.handle()); }
 
 void Viewer::open(const std::filesystem::path& file) {
-    auto scene = std::make_unique<Scene>(importScene(file));
-    printWarnings(scene->warnings);
+    PlayableScene opened(file, instanceModeFrom(options_.instances), 0.0);
+    const Scene& scene = opened.scene();
+    printWarnings(scene.warnings);
     Side side(device_);
-    side.settings = resolveSettings(*scene, options_.settings);
+    side.settings = resolveSettings(scene, options_.settings);
     SideView view = sideView();
     view.camera.reset();
-    side.update(*scene, view);  // until here an Error leaves everything as it was
+    side.update(scene, view);  // until here an Error leaves everything as it was
     presenter_.finish();
     main_ = std::move(side);
-    take(std::move(scene));
+    take(std::move(opened));
     tell(fmt::format("opened {}", file.string()));
 }
 
-void Viewer::take(std::unique_ptr<Scene> scene) {
-    state_.scene = std::move(scene);
+void Viewer::take(PlayableScene scene) {
+    other_.drop();  // it knows the old scene
+    fps_ = {};
+    playable_ = std::move(scene);
+    state_.scene = &playable_.scene();
+    state_.animationEnd = playable_.end();
+    state_.view.at = playable_.time();
+    state_.view.plays = state_.view.plays && playable_.isAnimated();
     state_.lightsChanged = false;
     state_.cameraMoved = false;
     state_.times.clear();
     state_.motion.reset(poseOf(state_.scene->cameras[main_.settings.camera], state_.scene->frame),
                         diagonalOf(*state_.scene));
-    other_.drop();
     other_.settings = truthFor(main_.settings);
     comparison_.clear();
     window_.setTitle(fmt::format("{} - Manylight", state_.scene->name));
@@ -128,9 +136,16 @@ void Viewer::frame() {
     ImGui::Render();
     const Clock::time_point start = Clock::now();
     if (!window_.isMinimised()) {
-        render();
-        compareSides();
-        present(secondsSince(start));
+        if (fps_.isRunning()) {
+            measureFps();
+        } else {
+            followAnimation(seconds);
+            render();
+            if (main_.exists()) compareSides();
+        }
+        if (main_.exists()) {
+            present(secondsSince(start));
+        }
     }
     input_.endFrame();
     ++frames_;
@@ -144,11 +159,11 @@ bool Viewer::isDone() const {
     const auto sideIsDone = [&](const Side& side) {
         return !side.isStale(sideView()) && side.frameCount() >= frameLimit();
     };
-    return !state_.isMoving && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
+    return !state_.isMoving && !fps_.isRunning() && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
 }
 
 bool Viewer::isWaiting() const {
-    return waitFrames_ > 0 || (holdFrames_ > 0 && !isDone()) ||
+    return waitFrames_ > 0 || fps_.isRunning() || (holdFrames_ > 0 && !isDone()) ||
            (!awaited_.empty() && !std::filesystem::exists(awaited_));
 }
 
@@ -178,7 +193,7 @@ void Viewer::takeInput(double seconds) {
 
 void Viewer::showPanels() {
     if (!main_.exists()) return;
-    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_, device_,
+    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_, fps_, device_,
                                            presenter_.swapchain().describe(), reference_.has_value(), heldLight_});
     if (answer.isDragging) secondsSinceMove_ = 0.0;
     for (const std::string& command : answer.commands) perform(parseCommand(command, "panel"));

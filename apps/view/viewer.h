@@ -3,9 +3,11 @@
 
 #include "apps/common/command_line.h"
 #include "apps/view/comparison.h"
+#include "apps/view/fps_rows.h"
 #include "apps/view/input.h"
 #include "apps/view/presenter.h"
 #include "apps/view_model/camera_motion.h"
+#include "apps/view_model/playable_scene.h"
 #include "apps/view_model/script.h"
 #include "apps/view_model/shader_reloader.h"
 #include "apps/view_model/time_history.h"
@@ -21,6 +23,7 @@ struct ViewerOptions {
     std::filesystem::path script;
     std::filesystem::path reference;     // EXR that differences are taken from; empty: the other side
     std::filesystem::path watchShaders;  // source tree
+    std::string instances = "auto";
     std::string device;
     PresentMode presentMode = PresentMode::Fifo;
     TypedSettings settings;
@@ -30,7 +33,8 @@ struct ViewerOptions {
 /// What the panels tell of; they change it by commands only.
 struct ViewState {
     ViewSettings view;
-    std::unique_ptr<Scene> scene;
+    Scene* scene = nullptr;
+    double animationEnd = 0.0;  // seconds; 0: nothing moves by itself
     bool lightsChanged = false;
     CameraMotion motion;
     bool cameraMoved = false;  // away from the scene's camera
@@ -54,7 +58,7 @@ class Viewer {
   private:
     /// What there is before the window.
     struct Start {
-        std::unique_ptr<Scene> scene;
+        PlayableScene scene;
         RenderSettings settings;
         glm::uvec2 size{0};
     };
@@ -62,11 +66,13 @@ class Viewer {
     Viewer(const ViewerOptions& options, Start start);
 
     void open(const std::filesystem::path& file);
-    void take(std::unique_ptr<Scene> scene);
+    void take(PlayableScene scene);
     void frame();
     void followScript();
     void takeInput(double seconds);
     void reloadShaders();
+    void measureFps();
+    void followAnimation(double seconds);
     void render();
     void renderSide(Side& side, const SideView& view);
     void compareSides();
@@ -85,6 +91,8 @@ class Viewer {
     bool performLightCommand(const Command& command);
     void set(const std::string& option, const std::string& value);
     void chooseNext(const std::string& option);
+    void startFps(const Command& command);
+    void stopFps();
     void changeLight(const Command& command);
     void lightsHaveChanged();
     void tell(std::string message, bool isError = false);
@@ -100,10 +108,12 @@ class Viewer {
     gpu::Device device_;
     Input input_;
     Presenter presenter_;
+    PlayableScene playable_;
     ViewState state_;
     Side main_;
     Side other_;
     Comparison comparison_;
+    FpsRows fps_;
     std::optional<Image> reference_;
     std::unique_ptr<ShaderReloader> reloader_;
     std::vector<Command> script_;

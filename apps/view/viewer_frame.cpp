@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace manylight {
@@ -17,6 +18,41 @@ constexpr double kComparePeriod = 0.3;  // seconds between comparisons
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 }  // namespace
+
+void Viewer::measureFps() {
+    passTimes_.clear();
+    presenter_.finish();  // another technique may want another picture
+    try {
+        fps_.step(main_.renderer());
+        if (fps_.isRunning()) return;
+        main_.forget();  // its renderer is as the measurement left it
+        tell("the FPS table is complete");
+    } catch (const Error& error) {
+        stopFps();
+        tell(error.what(), true);
+    }
+}
+
+void Viewer::followAnimation(double seconds) {
+    if (!playable_.isAnimated()) return;
+    ViewSettings& view = state_.view;
+    playOn(view, playable_.end(), seconds);
+    view.at = std::min(view.at, playable_.end());
+    if (view.plays) secondsSinceMove_ = 0.0;
+    if (view.at == playable_.time()) return;
+    presenter_.finish();
+    comparison_.clear();
+    try {
+        const AnimatedScene::Change change = playable_.moveTo(view.at, state_.lightsChanged);
+        for (Side* side : {&main_, &other_}) side->sceneMoved(*state_.scene, change);
+    } catch (const Error& error) {
+        view.plays = false;
+        view.at = playable_.time();
+        tell(error.what(), true);
+    }
+    if (!state_.cameraMoved)
+        state_.motion.look(poseOf(state_.scene->cameras[main_.settings.camera], state_.scene->frame));
+}
 
 void Viewer::render() {
     state_.isMoving = secondsSinceMove_ < kStillAfter;

@@ -58,6 +58,7 @@ const std::vector<CommandHelp>& commandHelps() {
         {"open", "FILE", 1, 1, "another scene"},
         {"add-light", "TYPE", 1, 1, "point, spot or directional, before the camera"},
         {"light", "N brightness|position|direction|remove VALUE...", 2, 5, "change a light"},
+        {"fps-table", "[VPLS...]", 0, 8, "measure forward and deferred over VPL counts; once more: stop"},
         {"restart", "", 0, 0, "forget the frames so far"},
         {"key", "NAME [FRAMES]", 1, 2, "hold a key down"},
         {"drag", "left|right DX DY [FRAMES]", 3, 4, "move the mouse with a button down, pixels a frame"},

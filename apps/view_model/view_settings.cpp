@@ -76,6 +76,10 @@ const std::vector<Setting>& settingTable() {
         numberSetting<&S::frameLimit>("frame-limit", "N", "a still picture is done after N frames", 1, 1 << 24),
         choiceSetting<&S::compare>("compare", "off|split|difference", "with the other side"),
         numberSetting<&S::divider>("divider", "X", "where the other side begins, as a share of the width", 0, 1),
+        switchSetting<&S::plays>("play", "the scene's animation goes on"),
+        numberSetting<&S::at>("at", "SECONDS", "the scene's animation so many seconds after its start", 0, 1e9),
+        numberSetting<&S::speed>("speed", "X", "seconds of the animation in a second", 0, 10),
+        switchSetting<&S::loops>("loop", "behind its end the animation begins again"),
     };
     return table;
 }
@@ -98,6 +102,10 @@ const std::vector<SettingHelp>& viewSettingHelps() {
 }
 
 bool isViewSetting(const std::string& option) { return find(option) != nullptr; }
+
+bool isPlaybackSetting(const std::string& option) {
+    return option == "play" || option == "at" || option == "speed" || option == "loop";
+}
 
 void applyViewSetting(ViewSettings& settings, const std::string& option, const std::string& value) {
     const Setting* setting = find(option);

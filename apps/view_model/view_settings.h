@@ -22,10 +22,16 @@ struct ViewSettings {
     uint32_t frameLimit = 4096;  // frames after which a still picture is done
     Compare compare = Compare::Off;
     double divider = 0.5;  // share of the width
+    bool plays = false;    // the scene's animation
+    double at = 0.0;       // seconds into it
+    double speed = 1.0;
+    bool loops = true;
 };
 
 const std::vector<SettingHelp>& viewSettingHelps();
 bool isViewSetting(const std::string& option);
+/// Of scenes with an animation only.
+bool isPlaybackSetting(const std::string& option);
 /// Like applySetting(), settingValue() and applySettings() of the renderer's.
 void applyViewSetting(ViewSettings& settings, const std::string& option, const std::string& value);
 Json viewSettingValue(const ViewSettings& settings, const std::string& option);

@@ -17,6 +17,8 @@ class AnimatedScene {
     AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times);
 
     const Scene& scene() const { return scene_; }
+    /// For who changes its lights; moveTo() puts back those that the file has.
+    Scene& scene() { return scene_; }
 
     enum class Change : uint8_t {
         Places,      // of instances, lights and cameras: Renderer::sceneMoved() shows them

@@ -3,6 +3,7 @@
 #include "engine/passes/compensation.h"
 #include "engine/passes/direct_light.h"
 #include "engine/passes/show_gbuffer.h"
+#include "engine/passes/show_rays.h"
 #include "engine/passes/vpl_light.h"
 #include "engine/passes/vpl_resample.h"
 #include "engine/techniques/lights_of_frame.h"
@@ -62,6 +63,15 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
                 gbuffer.depth, std::nullopt};
 
     const LightsOfFrame lights = addLightsOfFrame(graph, scene, inputs);
+    if (settings.show == Show::Rays)
+        return {addShowRays(graph, scene, inputs.plan, gbuffer, lights.vpls,
+                            {.vplCount = lights.vplCount,
+                             .shadowRays = settings.castShadows ? settings.shadowRays : 0,
+                             .interleave = settings.interleave,
+                             .phase = settings.interleavePhase + inputs.frame,
+                             .subgroupSize = inputs.subgroupSize},
+                            width, height),
+                gbuffer.depth, lights.list()};
     std::optional<ImageHandle> radiance;
     if (settings.lighting != Lighting::Global)
         radiance =

@@ -37,7 +37,8 @@ constexpr std::array kSequences = {Name<bool>{true, "continued"}, Name<bool>{fal
 constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},
                                Name<Show>{Show::Normal, "normal"},     Name<Show>{Show::Albedo, "albedo"},
                                Name<Show>{Show::Depth, "depth"},       Name<Show>{Show::Position, "position"},
-                               Name<Show>{Show::Material, "material"}, Name<Show>{Show::CutOff, "cut-off"}};
+                               Name<Show>{Show::Material, "material"}, Name<Show>{Show::CutOff, "cut-off"},
+                               Name<Show>{Show::Rays, "rays"}};
 constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
                                 Name<ToneCurve>{ToneCurve::Reinhard, "reinhard"},
                                 Name<ToneCurve>{ToneCurve::Aces, "aces"}};
@@ -164,8 +165,9 @@ const std::vector<Setting>& settingTable() {
         {{"materials", "full|diffuse", "surfaces as the scene has them, or Lambertians of the same albedo"},
          [](S& s, T o, T v) { s.materials = parseName(kMaterials, o, v); },
          [](C s) -> Json { return name(s.materials); }},
-        {{"show", "picture|vpls|normal|albedo|depth|position|material|cut-off",
-          "the picture, the VPLs in it, a G-buffer channel, or what the bound takes"},
+        {{"show", "picture|vpls|normal|albedo|depth|position|material|cut-off|rays",
+          "the picture, the VPLs in it, a G-buffer channel, what the bound takes, or rays to VPLs: black none, red, "
+          "yellow, white one for each"},
          [](S& s, T o, T v) { s.show = parseName(kShows, o, v); },
          [](C s) -> Json { return name(s.show); }},
         {{"exposure", "STOPS", "brighter by 2^STOPS in the PNG", -8, 8},

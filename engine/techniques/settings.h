@@ -33,7 +33,7 @@ enum class Materials : uint8_t {
     Diffuse,  // every surface a Lambertian of its albedo, for comparison with what knows no others
 };
 
-enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material, CutOff };
+enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material, CutOff, Rays };
 
 enum class GBufferBy : uint8_t {
     Auto,    // as is faster here

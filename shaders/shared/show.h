@@ -20,5 +20,16 @@ struct ShowVplsPush {
     float brightness;  // of the brightest dot
 };
 
+// One dispatch counts over a stretch of the VPLs; see shaders/passes/show_rays.comp.
+struct ShowRaysPush {
+    uint firstVpl;
+    uint endVpl;
+    uint vplCount;    // of the whole list: as many rays are white
+    uint shadowRays;  // drawn for a pixel that any VPL gives light; 0: a ray for each that does
+    uint interleave;
+    uint phase;
+    uint firstRow;    // of the band of pixels
+};
+
 MANYLIGHT_SHARED_END
 #endif

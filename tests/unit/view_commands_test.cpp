@@ -1,4 +1,5 @@
 #include "apps/view_model/key_bindings.h"
+#include "apps/view_model/playable_scene.h"
 #include "apps/view_model/script.h"
 #include "apps/view_model/shader_reloader.h"
 #include "apps/view_model/view_settings.h"
@@ -65,6 +66,22 @@ TEST(ViewSettings, EveryOneIsReadAsItIsWritten) {
         EXPECT_THAT(messageOf([&] { applyViewSetting(settings, help.option, "warp"); }),
                     HasSubstr(fmt::format("--{} warp: expected ", help.option)));
     }
+}
+
+TEST(Playing, BeginsAgainOrStopsAtTheEnd) {
+    ViewSettings settings;
+    playOn(settings, 2.0, 0.5);
+    EXPECT_EQ(settings.at, 0.0) << "paused";
+    settings.plays = true;
+    settings.speed = 3.0;
+    playOn(settings, 2.0, 0.5);
+    EXPECT_EQ(settings.at, 1.5);
+    playOn(settings, 2.0, 0.5);
+    EXPECT_EQ(settings.at, 1.0);
+    settings.loops = false;
+    playOn(settings, 2.0, 0.5);
+    EXPECT_EQ(settings.at, 2.0);
+    EXPECT_FALSE(settings.plays);
 }
 
 TEST(Settings, EveryOneOfTheRenderersIsReadAsItIsWritten) {

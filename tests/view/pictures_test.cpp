@@ -29,6 +29,7 @@ const std::vector<Case>& cases() {
         {"depth", {{"show", "depth"}}},
         {"material", {{"show", "material"}}},
         {"cut-off", {{"show", "cut-off"}, {"exposure", "6"}}},
+        {"rays", {{"show", "rays"}, {"exposure", "0"}}},
         {"display", {{"show", "picture"}, {"exposure", "1.5"}, {"tone-map", "reinhard"}}},
     };
     return list;

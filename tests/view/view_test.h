@@ -17,6 +17,8 @@ inline constexpr uint32_t kHeight = 64;
 
 class ViewerTest : public testing::SceneFiles {
   protected:
+    std::string scene_ = std::string(MANYLIGHT_SOURCE_DIR) + "/scenes/cornell_box.json";
+
     std::string program(const std::string& name) const {
         return std::string(MANYLIGHT_BINARY_DIR) + "/bin/manylight-" + name;
     }
@@ -35,10 +37,9 @@ class ViewerTest : public testing::SceneFiles {
     /// Runs the viewer in the test's folder, where the script's files are too; no validation message may come.
     void view(const std::string& script, const std::string& options = "") const {
         write("script.txt", script + "\nreport end.json\nquit\n");
-        const std::string command = fmt::format(
-            "xvfb-run -a {} {}/scenes/cornell_box.json --size {}x{} --bounces 2 --light-samples 4 {} --script "
-            "script.txt",
-            program("view"), MANYLIGHT_SOURCE_DIR, kWidth, kHeight, options);
+        const std::string command =
+            fmt::format("xvfb-run -a {} {} --size {}x{} --bounces 2 --light-samples 4 {} --script script.txt",
+                        program("view"), scene_, kWidth, kHeight, options);
         ASSERT_EQ(run(command), 0) << textOf("output");
         EXPECT_EQ(jsonOf("end.json")["validation_messages"], 0) << textOf("output");
     }
