@@ -138,6 +138,9 @@ Reference makeReference(Renderer& renderer, const Scene& scene, const RenderSett
     if (!options.referenceFile.empty()) return readReference(scene, settings, options.referenceFile);
     RenderSettings truth = settings;
     truth.technique = Technique::PathTracer;
+    truth.interleave = 1;
+    truth.shadowRays = 0;
+    truth.filter = Filter::Off;
     truth.clamp = ClampMode::Off;
     truth.castShadows = true;
     truth.russianRoulette = true;

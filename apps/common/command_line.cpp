@@ -48,7 +48,9 @@ InstanceMode instanceModeFrom(const std::string& mode) {
 RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed) {
     RenderSettings settings;
     applySettings(settings, scene.settings, scene.path.string() + ": settings");
-    for (const auto& [option, value] : typed) applySetting(settings, option, value);
+    for (const bool presets : {true, false})
+        for (const auto& [option, value] : typed)
+            if ((option == kPresetOption) == presets) applySetting(settings, option, value);
     return settings;
 }
 

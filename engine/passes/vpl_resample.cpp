@@ -48,7 +48,7 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
                                         .tilesAcross = divideUp(divideUp(width, n), shared::kVplTileWidth),
                                         .tilesDown = divideUp(divideUp(height, n), shared::kVplTileHeight)};
         const bool adds = radiance.has_value();
-        if (!adds) radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+        if (!adds) radiance = graph.createImage(options.forReconstruction ? "gathered light" : "radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
         PassBuilder pass = graph.addPass("vpl_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
         readGBuffer(pass, gbuffer);
@@ -58,6 +58,10 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
                               shared::kBindingRadiance);
         gpu::Specialisation constants = surfaceOptions(plan);
         constants.insert(constants.end(), {options.castShadows, options.subgroupSize, adds, options.shadowRays});
+        if (options.forReconstruction) {
+            constants.resize(40);
+            constants.push_back(VK_TRUE);
+        }
         pass.execute([constants, push, n, rows = tileRows(options, push)](PassContext& context) {
             const ComputeKernel kernel{.shader = "vpl_resample.comp",
                                        .groupWidth = shared::kVplTileWidth,

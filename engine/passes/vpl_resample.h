@@ -16,6 +16,7 @@ struct VplResampleOptions {
     uint32_t interleave = 1;  // n: a pixel gathers from one VPL in n * n, neighbours from others
     uint32_t phase = 0;       // which one: n * n phases in a row cover the list
     uint32_t subgroupSize = 32;
+    bool forReconstruction = false;  // leaves light for addReconstruction() instead of radiance
 };
 
 /// As addVplLight(); unbiased over phases, and over frames for any number of rays.

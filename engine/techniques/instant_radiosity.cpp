@@ -7,6 +7,7 @@
 #include "engine/passes/vpl_light.h"
 #include "engine/passes/vpl_resample.h"
 #include "engine/techniques/lights_of_frame.h"
+#include "engine/techniques/reconstruction.h"
 
 #include <optional>
 
@@ -39,14 +40,20 @@ ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs&
     if (settings.interleave == 1 && !resamples)
         return addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, settings.width,
                            settings.height);
-    return addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
-                          {.vplCount = lights.vplCount,
-                           .castShadows = settings.castShadows,
-                           .shadowRays = resamples ? settings.shadowRays : 0,
-                           .interleave = settings.interleave,
-                           .phase = settings.interleavePhase + inputs.frame,
-                           .subgroupSize = inputs.subgroupSize},
-                          radiance, settings.width, settings.height);
+    const bool filters = settings.filter == Filter::Atrous;
+    const ImageHandle gathered =
+        addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
+                       {.vplCount = lights.vplCount,
+                        .castShadows = settings.castShadows,
+                        .shadowRays = resamples ? settings.shadowRays : 0,
+                        .interleave = settings.interleave,
+                        .phase = settings.interleavePhase + inputs.frame,
+                        .subgroupSize = inputs.subgroupSize,
+                        .forReconstruction = filters},
+                       filters ? std::nullopt : radiance, settings.width, settings.height);
+    if (!filters) return gathered;
+    return addReconstruction(graph, scene, inputs.plan, gbuffer, gathered, radiance, settings.interleave, inputs.frame,
+                             settings.width, settings.height);
 }
 
 }  // namespace

@@ -207,8 +207,9 @@ void Renderer::resolve(const RenderSettings& settings) {
         fail("--vpls {}: device {} allows at most {} VPLs", settings.vplCount, device_.info().name, mostVpls);
     if (settings.clamp == ClampMode::Compensate && !settings.castShadows)
         failUsage("--clamp compensate: expected --shadows on; light that passes through walls cannot be compensated");
-    if (settings.technique != Technique::Deferred && (settings.interleave > 1 || settings.shadowRays > 0))
-        failUsage("--interleave and --shadow-rays: expected --technique deferred");
+    const bool needsDeferred = settings.interleave > 1 || settings.shadowRays > 0 || settings.filter != Filter::Off;
+    if (settings.technique != Technique::Deferred && needsDeferred)
+        failUsage("--interleave, --shadow-rays and --filter: expected --technique deferred");
     if (settings.technique != Technique::Deferred && settings.gbuffer == GBufferBy::Rays)
         failUsage("--gbuffer rays: expected --technique deferred");
     if (settings.show == Show::Vpls && settings.gbuffer == GBufferBy::Rays)

@@ -33,6 +33,10 @@ constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<Cla
                                 Name<ClampMode>{ClampMode::Compensate, "compensate"}};
 constexpr std::array kMaterials = {Name<Materials>{Materials::Full, "full"},
                                    Name<Materials>{Materials::Diffuse, "diffuse"}};
+constexpr std::array kFilters = {Name<Filter>{Filter::Off, "off"}, Name<Filter>{Filter::Atrous, "atrous"}};
+constexpr std::array kQualities = {Name<Quality>{Quality::Draft, "draft"},
+                                   Name<Quality>{Quality::Interactive, "interactive"},
+                                   Name<Quality>{Quality::Final, "final"}};
 constexpr std::array kSequences = {Name<bool>{true, "continued"}, Name<bool>{false, "independent"}};
 constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},
                                Name<Show>{Show::Normal, "normal"},     Name<Show>{Show::Albedo, "albedo"},
@@ -93,6 +97,36 @@ void parseSize(RenderSettings& settings, const std::string& option, const std::s
     settings.height = parseInteger<uint32_t>(option, text.substr(cross + 1), 1, 1 << 20);
 }
 
+/// What a preset sets. Its VPLs count only where nobody has asked for another number.
+struct Preset {
+    uint32_t vplCount;
+    uint32_t interleave;
+    uint32_t shadowRays;
+    Filter filter;
+};
+
+Preset presetOf(Quality quality) {
+    switch (quality) {
+        case Quality::Draft:
+            return {400, 4, 4, Filter::Atrous};
+        case Quality::Interactive:
+            return {800, 2, 4, Filter::Atrous};
+        case Quality::Final:
+            break;
+    }
+    const RenderSettings standard;
+    return {standard.vplCount, standard.interleave, standard.shadowRays, standard.filter};
+}
+
+void applyQuality(RenderSettings& settings, Quality quality) {
+    const Preset preset = presetOf(quality);
+    if (settings.vplCount == presetOf(settings.quality).vplCount) settings.vplCount = preset.vplCount;
+    settings.interleave = preset.interleave;
+    settings.shadowRays = preset.shadowRays;
+    settings.filter = preset.filter;
+    settings.quality = quality;
+}
+
 constexpr uint32_t kMaxVpls = 1u << 21;  // 128 MiB of LightData, a storage buffer's usual limit
 
 struct Setting {
@@ -106,6 +140,10 @@ const std::vector<Setting>& settingTable() {
     using T = const std::string&;
     using C = const RenderSettings&;
     static const std::vector<Setting> table = {
+        {{"quality", "draft|interactive|final",
+          "presets of --interleave, --shadow-rays, --filter and, if it is not given, --vpls; those given beside it count"},
+         [](S& s, T o, T v) { applyQuality(s, parseName(kQualities, o, v)); },
+         [](C s) -> Json { return name(s.quality); }},
         {{"technique", "deferred|forward|forward-prepass|path-tracer", "how pixels are shaded"},
          [](S& s, T o, T v) { s.technique = parseName(kTechniques, o, v); },
          [](C s) -> Json { return name(s.technique); }},
@@ -136,6 +174,10 @@ const std::vector<Setting>& settingTable() {
           shared::kMostInterleave},
          [](S& s, T o, T v) { s.interleave = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
          [](C s) -> Json { return s.interleave; }},
+        {{"filter", "off|atrous",
+          "after an interleaved gather or few rays: a filter that stops at edges and fades as frames come in; deferred"},
+         [](S& s, T o, T v) { s.filter = parseName(kFilters, o, v); },
+         [](C s) -> Json { return name(s.filter); }},
         {{"clamp", "off|bound|compensate",
           "leave the geometry term as it is, bound it, or also give back what that takes"},
          [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); },
@@ -199,6 +241,8 @@ const char* name(Technique technique) { return nameIn(kTechniques, technique); }
 const char* name(Lighting lighting) { return nameIn(kLightings, lighting); }
 const char* name(ClampMode clamp) { return nameIn(kClamps, clamp); }
 const char* name(Materials materials) { return nameIn(kMaterials, materials); }
+const char* name(Filter filter) { return nameIn(kFilters, filter); }
+const char* name(Quality quality) { return nameIn(kQualities, quality); }
 const char* name(Show show) { return nameIn(kShows, show); }
 const char* name(ToneCurve curve) { return nameIn(kCurves, curve); }
 const char* name(GBufferBy gbuffer) { return nameIn(kGBuffers, gbuffer); }
@@ -239,7 +283,11 @@ void applySetting(RenderSettings& settings, const std::string& option, const std
 }
 
 void applySettings(RenderSettings& settings, const Json& json, const std::string& place) {
-    for (const auto& [key, value] : json.items()) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items()) keys.push_back(key);
+    std::stable_partition(keys.begin(), keys.end(), [](const std::string& key) { return key == kPresetOption; });
+    for (const std::string& key : keys) {
+        const Json& value = json[key];
         if (value.is_null()) continue;
         try {
             applySetting(settings, key, value.is_string() ? value.get<std::string>() : value.dump());

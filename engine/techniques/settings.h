@@ -33,6 +33,13 @@ enum class Materials : uint8_t {
     Diffuse,  // every surface a Lambertian of its albedo, for comparison with what knows no others
 };
 
+enum class Filter : uint8_t {
+    Off,
+    Atrous,  // edge-avoiding wavelet after an interleaved or resampled gather; fades as frames come in
+};
+
+enum class Quality : uint8_t { Draft, Interactive, Final };
+
 enum class Show : uint8_t { Picture, Vpls, Normal, Albedo, Depth, Position, Material, CutOff, Rays };
 
 enum class GBufferBy : uint8_t {
@@ -61,6 +68,8 @@ struct RenderSettings {
     uint32_t shadowRays = 0;          // of a pixel for all its VPLs, drawn by what they would give; 0: one for each
     uint32_t interleave = 1;          // n: a pixel gathers from one VPL in n * n, neighbours from others
     uint32_t interleavePhase = 0;     // which, in the first frame
+    Filter filter = Filter::Off;
+    Quality quality = Quality::Final;  // the preset that set some of these; what is set later counts
     std::optional<float> clampBound;  // c of the bound; empty: as suits the mode
     uint32_t lightSampleCount = 16;   // points on area lights and the environment per frame
     uint32_t seed = 0;
@@ -81,12 +90,16 @@ const char* name(Technique technique);
 const char* name(Lighting lighting);
 const char* name(ClampMode clamp);
 const char* name(Materials materials);
+const char* name(Filter filter);
+const char* name(Quality quality);
 const char* name(Show show);
 const char* name(ToneCurve curve);
 const char* name(GBufferBy gbuffer);
 /// Sets one setting by its option name without dashes ("vpls", "shadows"), from text. Throws Error (usage) naming the
 /// option, the value and what was expected.
 void applySetting(RenderSettings& settings, const std::string& option, const std::string& value);
+/// This option sets several others: of options given together it is to be applied first, so that the others count.
+inline constexpr const char* kPresetOption = "quality";
 /// What a user is told of a setting: the one description that command lines, sidecars and panels are made from.
 struct SettingHelp {
     const char* option;

@@ -13,9 +13,11 @@
 
 const uint kReceivers = 1u;
 #include "shaders/lib/shade_vpls.glsl"
+#include "shaders/lib/reconstruct.glsl"
 
 layout(constant_id = 12) const bool kAddToRadiance = false;
 layout(constant_id = 13) const uint kRays = 4u;  // per pixel; 0: one for each VPL
+layout(constant_id = 40) const bool kForReconstruction = false;
 
 layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
@@ -59,9 +61,10 @@ vec3 sumOfAll(Receiver receiver) {
     return sum;
 }
 
-// What a summand is worth in the picture.
+// What a summand is worth in the picture; to a filter, whatever the albedo, as neighbours use it too.
 float weight(Receiver receiver, vec3 share) {
-    return dot(share, isGlossy(receiver.bsdf.f90) ? vec3(1.0) : receiver.bsdf.diffuse);
+    const bool isAlike = kForReconstruction || isGlossy(receiver.bsdf.f90);
+    return dot(share, isAlike ? vec3(1.0) : receiver.bsdf.diffuse);
 }
 
 float sumOfWeights(Receiver receiver) {
@@ -98,8 +101,10 @@ void drawVpls(Receiver receiver, float total, float u, out uint drawn[kMostShado
     for (; count < kRays; ++count) drawn[count] = last;
 }
 
-vec3 sumOfDrawn(Receiver receiver, float total, uint drawn[kMostShadowRays]) {
+// `error`: of the mean of the channels of the sum, from how the draws scatter; as a standard deviation.
+vec3 sumOfDrawn(Receiver receiver, float total, uint drawn[kMostShadowRays], out float error) {
     vec3 sum = vec3(0.0);
+    vec2 moments = vec2(0.0);
     for (uint j = 0u; j < kRays; ++j) {
         const uint index = firstOfSubset + drawn[j] * subsetStep;
         const LightData vpl = loadVpl(index);
@@ -107,8 +112,15 @@ vec3 sumOfDrawn(Receiver receiver, float total, uint drawn[kMostShadowRays]) {
                                    : irradianceOfVpl(receiver, vpl, frame.geometryBound);
         const float w = weight(receiver, share);
         const float perDraw = w > 0.0 ? total / (w * float(kRays)) : 0.0;
-        sum += arriving(share * perDraw, receiver, vpl);
+        const vec3 drawnShare = arriving(share * perDraw, receiver, vpl);
+        sum += drawnShare;
+        const float part = 3.0 * brightness(drawnShare) / total;
+        moments += vec2(part, part * part);
     }
+    // The parts of `total`: k of them, of 1 / k or nothing where there is one spectrum. One alone tells nothing.
+    const float k = float(kRays);
+    const float variance = kRays == 1u ? 0.25 : max(moments.y - moments.x * moments.x / k, 0.0) * k / (k - 1.0);
+    error = (total / 3.0) * sqrt(variance);
     return sum;
 }
 
@@ -123,6 +135,7 @@ void main() {
     const Receiver receiver = readGBuffer(pixel, true).receiver;
 
     vec3 sum;
+    float error = 0.0;
     if (kRays == 0u) {
         sum = sumOfAll(receiver);
     } else {
@@ -130,11 +143,20 @@ void main() {
         const uint seed = pixelSeed(frame.seed, pixel);
         uint drawn[kMostShadowRays];
         drawVpls(receiver, total, sample2d(frame.frame, seed, kDimensionResampling + push.firstVpl).x, drawn);
-        sum = total > 0.0 ? sumOfDrawn(receiver, total, drawn) : vec3(0.0);
+        sum = total > 0.0 ? sumOfDrawn(receiver, total, drawn, error) : vec3(0.0);
     }
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
 
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
+    if (kForReconstruction) {
+        vec4 light = float(subsetStep) * vec4(demodulated(receiver, sum), brightness(demodulated(receiver, vec3(error))));
+        if (kAddToRadiance) {
+            const vec4 before = imageLoad(radianceImage, pixel);
+            light = vec4(before.rgb + light.rgb, length(vec2(before.a, light.a)));
+        }
+        imageStore(radianceImage, pixel, light);
+        return;
+    }
     vec3 radiance = float(subsetStep) * radianceFromSum(receiver, sum);
     if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;
     imageStore(radianceImage, pixel, vec4(radiance, 1.0));

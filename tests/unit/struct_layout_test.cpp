@@ -4,6 +4,7 @@
 #include "shaders/shared/lights.h"
 #include "shaders/shared/material.h"
 #include "shaders/shared/path_trace.h"
+#include "shaders/shared/reconstruct.h"
 #include "shaders/shared/show.h"
 #include "shaders/shared/tonemap.h"
 #include "shaders/shared/trace_rays.h"
@@ -117,6 +118,8 @@ const std::map<std::string, ExpectedStruct> kStructs = {
        MEMBER(ShadePush, vplCount), MEMBER(ShadePush, showEmission), MEMBER(ShadePush, firstRow),
        MEMBER(ShadePush, firstGloss)},
       sizeof(shared::ShadePush)}},
+    {"BlockPush", {{MEMBER(BlockPush, width), MEMBER(BlockPush, period)}, sizeof(shared::BlockPush)}},
+    {"AtrousPush", {{MEMBER(AtrousPush, spacing), MEMBER(AtrousPush, deviations)}, sizeof(shared::AtrousPush)}},
     {"VisibilityRaysPush",
      {{MEMBER(VisibilityRaysPush, firstRow), MEMBER(VisibilityRaysPush, endRow)}, sizeof(shared::VisibilityRaysPush)}},
     {"ResamplePush",

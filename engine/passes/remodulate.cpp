@@ -1,0 +1,32 @@
+#include "engine/passes/remodulate.h"
+
+#include "engine/passes/surface_options.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/tonemap.h"
+
+namespace manylight {
+
+ImageHandle addRemodulate(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
+                          ImageHandle light, std::optional<ImageHandle> radiance, uint32_t width, uint32_t height) {
+    const bool adds = radiance.has_value();
+    if (!adds) radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+    PassBuilder pass = graph.addPass("remodulate");
+    readSurfaces(pass, scene, PipelineKind::Compute);
+    readGBuffer(pass, gbuffer);
+    pass.read(light, Access::ComputeStorageRead, shared::kBindingReconstructed);
+    radiance = pass.write(*radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
+                          shared::kBindingRadiance);
+    gpu::Specialisation options = surfaceOptions(plan);
+    options.resize(40);
+    options.push_back(adds);
+    pass.execute([options, width, height](PassContext& context) {
+        context.dispatch({.shader = "remodulate.comp",
+                          .groupWidth = shared::kImageGroupWidth,
+                          .groupHeight = shared::kImageGroupHeight,
+                          .specialisation = options},
+                         width, height);
+    });
+    return *radiance;
+}
+
+}  // namespace manylight

@@ -1,0 +1,46 @@
+#include "engine/techniques/reconstruction.h"
+
+#include "engine/passes/reconstruct_atrous.h"
+#include "engine/passes/reconstruct_block.h"
+#include "engine/passes/remodulate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace manylight {
+namespace {
+
+constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
+constexpr uint32_t kLevels = 3;
+constexpr uint32_t kFewestFramesOfACycle = 16;
+
+}  // namespace
+
+ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t frame) {
+    const uint32_t cycle = std::max(interleave * interleave, kFewestFramesOfACycle);
+    const double share = std::min(1.0, static_cast<double>(cycle) / (frame + 1.0));
+    const auto shrunk = static_cast<float>(std::pow(share, 1.0 / 6.0));
+    ReconstructionSchedule schedule;
+    schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shrunk);
+    const uint32_t finest = std::max(interleave / 2, 1u);
+    for (uint32_t level = 0; level < kLevels; ++level) {
+        const float reach = static_cast<float>(finest << level) * shrunk;
+        if (reach >= 1.0f) schedule.levels.push_back({static_cast<uint32_t>(std::lround(reach)), kDeviations * shrunk});
+    }
+    return schedule;
+}
+
+ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
+                              const GBuffer& gbuffer, ImageHandle gathered, std::optional<ImageHandle> radiance,
+                              uint32_t interleave, uint32_t frame, uint32_t width, uint32_t height) {
+    const ReconstructionSchedule schedule = reconstructionSchedule(interleave, frame);
+    ImageHandle light = gathered;
+    if (schedule.blockWidth > 1.0f)
+        light = addReconstructBlock(graph, scene, plan, gbuffer, light, schedule.blockWidth, interleave, width, height);
+    for (const ReconstructionStep& level : schedule.levels)
+        light =
+            addReconstructAtrous(graph, scene, plan, gbuffer, light, level.spacing, level.deviations, width, height);
+    return addRemodulate(graph, scene, plan, gbuffer, light, radiance, width, height);
+}
+
+}  // namespace manylight
