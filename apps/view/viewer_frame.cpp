@@ -38,7 +38,10 @@ void Viewer::followAnimation(double seconds) {
     ViewSettings& view = state_.view;
     playOn(view, playable_.end(), seconds);
     view.at = std::min(view.at, playable_.end());
-    if (view.plays) secondsSinceMove_ = 0.0;
+    if (view.plays) {
+        secondsSinceMove_ = 0.0;
+        holdFrames_ = 0;  // what a script waited for will not come
+    }
     if (view.at == playable_.time()) return;
     presenter_.finish();
     comparison_.clear();

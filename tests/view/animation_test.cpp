@@ -54,7 +54,7 @@ TEST_F(ViewerAnimation, AtATimeIsThePictureWithoutAWindow) {
 
 TEST_F(ViewerAnimation, PlaysPausesAndRefines) {
     view(
-        "set speed 2\nkey p\nwait 6\nreport playing.json\nframes 2\nreport held.json\nset loop off\nset at 1.9\nwait "
+        "frames 1\nset speed 2\nset play on\nwait 2\nkey p\nframes 1\nkey p\nwait 6\nreport playing.json\nframes 2\nreport held.json\nset loop off\nset at 1.9\nwait "
         "9\n"
         "report ended.json\nset at 0.25\nframes 3\nreport paused.json",
         "--vpls 4");
