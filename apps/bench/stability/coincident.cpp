@@ -124,6 +124,11 @@ Findings duplicates(StabilityLab& lab) {
                                      lab.render(normalise(withTwins(raw)), settings),
                                      lab.render(normalise(RawScene(raw)), settings)));
     }
+    RenderSettings byRays = stabilitySettings(24, 18);
+    byRays.gbuffer = GBufferBy::Rays;
+    findings.push_back(sameBytes("every triangle twice, deferred by rays",
+                                 lab.render(normalise(withTwins(raw)), byRays),
+                                 lab.render(normalise(RawScene(raw)), byRays)));
     return findings;
 }
 

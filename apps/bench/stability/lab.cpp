@@ -57,6 +57,7 @@ RenderSettings stabilitySettings(uint32_t width, uint32_t height) {
     settings.height = height;
     settings.vplCount = 256;
     settings.bounceCount = -1;
+    settings.gbuffer = GBufferBy::Raster;  // not as the number of triangles suggests, which cases change
     return settings;
 }
 
