@@ -1,5 +1,6 @@
 #include "apps/bench/error_mode.h"
 
+#include "apps/common/command_line.h"
 #include "engine/core/error.h"
 
 #include <sstream>
@@ -9,6 +10,7 @@ namespace manylight {
 ErrorMode errorModeFrom(const std::string& text, const RenderSettings& common) {
     ErrorMode mode{text, common};
     std::istringstream list(text);
+    TypedSettings typed;
     for (std::string entry; std::getline(list, entry, ',');) {
         const size_t equals = entry.find('=');
         if (equals == std::string::npos)
@@ -16,8 +18,9 @@ ErrorMode errorModeFrom(const std::string& text, const RenderSettings& common) {
         const std::string option = entry.substr(0, equals);
         for (const char* fixed : {"seed", "size", "camera", "show", "lighting", "bounces"})
             if (option == fixed) failUsage("--mode {}: --{} is the same for all modes", text, fixed);
-        applySetting(mode.settings, option, entry.substr(equals + 1));
+        typed.emplace_back(option, entry.substr(equals + 1));
     }
+    applyTyped(mode.settings, typed);
     mode.settings.jitter = true;
     return mode;
 }

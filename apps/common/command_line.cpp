@@ -45,12 +45,16 @@ InstanceMode instanceModeFrom(const std::string& mode) {
     return mode == "share" ? InstanceMode::Share : InstanceMode::Auto;
 }
 
-RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed) {
-    RenderSettings settings;
-    applySettings(settings, scene.settings, scene.path.string() + ": settings");
+void applyTyped(RenderSettings& settings, const TypedSettings& typed) {
     for (const bool presets : {true, false})
         for (const auto& [option, value] : typed)
             if ((option == kPresetOption) == presets) applySetting(settings, option, value);
+}
+
+RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed) {
+    RenderSettings settings;
+    applySettings(settings, scene.settings, scene.path.string() + ": settings");
+    applyTyped(settings, typed);
     return settings;
 }
 

@@ -31,6 +31,8 @@ void addOptions(CLI::App& app, const std::vector<SettingHelp>& helps, TypedSetti
 void addInstancesOption(CLI::App& app, std::string& mode);
 InstanceMode instanceModeFrom(const std::string& mode);
 
+/// In the order they were typed, but the preset before what it presets.
+void applyTyped(RenderSettings& settings, const TypedSettings& typed);
 /// Sidecar settings first, then the command line's.
 RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed);
 

@@ -7,7 +7,7 @@ namespace manylight::test {
 namespace {
 
 /// 300 VPLs with shadows take two stretches.
-std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int bounces = 4) {
+std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int bounces = 4, uint32_t interleave = 1) {
     const Scene scene = cornellBox();
     RenderSettings settings = plainSettings(64, 48);
     settings.technique = technique;
@@ -15,6 +15,8 @@ std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int b
     settings.vplCount = 300;
     settings.bounceCount = bounces;
     settings.clamp = clamp;
+    settings.interleave = interleave;
+    settings.filter = interleave > 1 ? Filter::Atrous : Filter::Off;
     Renderer renderer(device(), scene, settings);
     return renderer.dumpGraph().text;
 }
@@ -22,6 +24,9 @@ std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int b
 using TechniqueGraph = GpuTest;
 
 TEST_F(TechniqueGraph, Deferred) { expectSnapshot("technique_deferred", graphOf(Technique::Deferred)); }
+TEST_F(TechniqueGraph, DeferredAndFiltered) {
+    expectSnapshot("technique_deferred_filtered", graphOf(Technique::Deferred, ClampMode::Off, 4, 4));
+}
 TEST_F(TechniqueGraph, Forward) { expectSnapshot("technique_forward", graphOf(Technique::Forward)); }
 TEST_F(TechniqueGraph, ForwardPrepass) {
     expectSnapshot("technique_forward_prepass", graphOf(Technique::ForwardPrepass));

@@ -60,6 +60,22 @@ TEST(Settings, SidecarSettingsAreTheSameOptionsAndErrorsNameThePlace) {
                 HasSubstr("a.json: settings.vpls: vpls many: expected a whole number"));
 }
 
+TEST(Settings, PresetsGiveWayToWhatIsGivenBesideThem) {
+    RenderSettings settings;
+    applySettings(settings, Json::parse(R"({"interleave": 2, "quality": "draft"})"), "a.json: settings");
+    EXPECT_EQ(settings.interleave, 2u);
+    EXPECT_EQ(settings.filter, Filter::Atrous);
+    EXPECT_GT(settings.shadowRays, 0u);
+    applySetting(settings, "quality", "final");
+    RenderSettings standard;
+    EXPECT_EQ(settings, standard);
+    applySetting(settings, "vpls", "123");
+    for (const char* quality : {"draft", "interactive", "final"}) {
+        applySetting(settings, "quality", quality);
+        EXPECT_EQ(settings.vplCount, 123u) << quality;
+    }
+}
+
 TEST(ScenePlan, LeavesOutWhatNoTriangleUsesAndSaysWhy) {
     Scene scene;
     scene.vertices.resize(3);
