@@ -9,7 +9,8 @@ namespace manylight {
 /// Constants 0 to 9. What a pass appends is numbered from 10.
 inline gpu::Specialisation surfaceOptions(const ScenePlan& plan) {
     const uint32_t instances = !plan.instanced ? 0u : plan.stretched ? 2u : 1u;
-    return {plan.textured,      plan.shadingNormals,   plan.glossy, plan.alphaTested, plan.normalMapped,
+    const uint32_t textures = !plan.textured ? 0u : plan.mipmapped ? 2u : 1u;
+    return {textures,           plan.shadingNormals,   plan.glossy, plan.alphaTested, plan.normalMapped,
             plan.vertexColours, plan.emissionTextured, plan.uvSets, plan.culled,      instances};
 }
 

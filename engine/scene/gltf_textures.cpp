@@ -9,6 +9,7 @@ namespace manylight {
 namespace {
 
 constexpr int kNearest = 9728;
+constexpr int kLinear = 9729;
 constexpr int kClampToEdge = 33071;
 constexpr int kMirroredRepeat = 33648;
 constexpr int kRepeat = 10497;
@@ -77,11 +78,14 @@ int32_t GltfTextures::load(size_t index) {
     const auto source = texture["source"].get<size_t>();
     Texture sampling;
     sampling.name = fmt::format("images[{}]", source);
+    sampling.isMipmapped = true;
     if (texture.contains("sampler")) {
         const Json& sampler = json["samplers"][texture["sampler"].get<size_t>()];
         sampling.wrapU = wrapOf(sampler.value("wrapS", kRepeat), place, warnings_);
         sampling.wrapV = wrapOf(sampler.value("wrapT", kRepeat), place, warnings_);
         if (sampler.value("magFilter", 0) == kNearest) sampling.filter = TextureFilter::Nearest;
+        const int minFilter = sampler.value("minFilter", 0);
+        sampling.isMipmapped = minFilter != kNearest && minFilter != kLinear;
     }
     return textures_.load(sampling, [&] { return decode(source); });
 }

@@ -15,6 +15,7 @@ constexpr double kWhiteHeight = 0.01;  // of the larger side; MTL names no unit 
 
 Texture samplingOf(const fs::path& folder, const MtlMap& map) {
     Texture sampling;
+    sampling.isMipmapped = true;
     sampling.name = (folder / portablePath(map.file)).lexically_normal().string();
     if (map.isClamped) sampling.wrapU = sampling.wrapV = TextureWrap::ClampToEdge;
     return sampling;

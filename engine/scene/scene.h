@@ -34,7 +34,8 @@ struct Texture {
     uint32_t height = 0;
     TextureWrap wrapU = TextureWrap::Repeat;
     TextureWrap wrapV = TextureWrap::Repeat;
-    TextureFilter filter = TextureFilter::Linear;
+    TextureFilter filter = TextureFilter::Linear;  // of a texture that is seen from near
+    bool isMipmapped = false;                      // smaller versions of it stand for what is seen from afar
     std::vector<uint8_t> rgba;  // width * height * 4
 };
 

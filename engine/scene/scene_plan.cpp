@@ -2,6 +2,7 @@
 
 #include "engine/core/error.h"
 #include "engine/scene/instances.h"
+#include "engine/scene/mipmaps.h"
 #include "shaders/shared/lights.h"
 
 #include <fmt/format.h>
@@ -41,6 +42,19 @@ uint64_t texelBytes(const Scene& scene) {
     uint64_t bytes = 0;
     for (const Texture& texture : scene.textures) bytes += texture.rgba.size();
     return bytes;
+}
+
+bool isMipmapped(const Scene& scene, const TextureUse& use) {
+    return scene.textures[static_cast<size_t>(use.texture)].isMipmapped;
+}
+
+std::string reasonOfMipmaps(const Scene& scene, bool textured, bool mipmapped) {
+    if (!textured) return "no triangle's material has a texture";
+    if (!mipmapped) return "no texture's sampler asks for them";
+    uint64_t bytes = 0;
+    for (const Texture& texture : scene.textures)
+        if (texture.isMipmapped) bytes += 4 * texelsOfReduced(texture.width, texture.height);
+    return fmt::format("a texture's sampler asks for them: they take up to {} bytes", bytes);
 }
 
 // What geometry takes on the device, about: corners, BVH nodes, material; a record and a node for an instance.
@@ -143,6 +157,9 @@ ScenePlan planScene(const Scene& scene, bool everything, const std::string& keep
     plan.textured = decide(plan, kept, textured, "textures",
                            textured ? "a triangle's material has a texture" : "no triangle's material has a texture",
                            scene.triangles.size() * 3 * sizeof(glm::vec2) + texelBytes(scene));
+
+    const bool mipmapped = usesTexture([&](const TextureUse& use) { return isMipmapped(scene, use); });
+    plan.mipmapped = decide(plan, kept, mipmapped, "mipmaps", reasonOfMipmaps(scene, textured, mipmapped));
 
     const bool secondUvs = usesTexture([](const TextureUse& use) { return use.uvSet > 0; });
     plan.uvSets = decide(plan, kept, secondUvs, "second uvs",

@@ -21,6 +21,7 @@ struct PlanDecision {
 
 struct ScenePlan {
     bool textured = true;        // uvs, texels and their lookups
+    bool mipmapped = true;       // smaller versions of textures, for what the camera sees from afar
     uint32_t uvSets = 2;         // sets of uvs that are kept, at least 1
     bool shadingNormals = true;  // interpolated normals and the light paths' correction for them
     bool normalMapped = true;    // normals tilted by textures

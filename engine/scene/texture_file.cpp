@@ -15,8 +15,9 @@ std::optional<EncodedImage> TextureLoader::decode(const Decode& decode) {
 }
 
 int32_t TextureLoader::load(const Texture& sampling, const Decode& decodeImage) {
-    const std::string key = fmt::format("{}|{}|{}|{}", sampling.name, static_cast<int>(sampling.wrapU),
-                                        static_cast<int>(sampling.wrapV), static_cast<int>(sampling.filter));
+    const std::string key =
+        fmt::format("{}|{}|{}|{}|{}", sampling.name, static_cast<int>(sampling.wrapU), static_cast<int>(sampling.wrapV),
+                    static_cast<int>(sampling.filter), sampling.isMipmapped);
     if (const auto found = loaded_.find(key); found != loaded_.end()) return found->second;
     int32_t index = kNoTexture;
     if (std::optional<EncodedImage> image = decode(decodeImage)) {

@@ -27,6 +27,21 @@ vec2 barycentricsOfPixel(TriangleRecord t, vec3 origin, vec3 direction) {
     return b / max(1.0, b.x + b.y);
 }
 
+// What a pixel covers of a triangle's uvs, where a ray from the camera in `direction` (of any length) meets it: its area
+// on the triangle, by the area that a pixel has at that distance and the angle at which it is seen, as a share of the
+// triangle's.
+vec2 footprintOfPixel(TriangleRecord t, vec2 barycentrics, vec3 direction) {
+    if (!kMipmapped) return kNoFootprint;
+    const vec3 p0 = uintBitsToFloat(t.corner0.xyz);
+    const vec3 twiceArea = cross(uintBitsToFloat(t.corner1.xyz) - p0, uintBitsToFloat(t.corner2.xyz) - p0);
+    const vec3 along = direction / dot(direction, frame.cameraForward);  // to the image plane at distance 1
+    const vec3 toSurface = positionAt(t, barycentrics) - frame.cameraPosition;
+    const float distance2 = dot(toSurface, toSurface) / dot(along, along);
+    const float pixelArea = 4.0 * length(cross(frame.cameraRight, frame.cameraDown)) / float(frame.imageSize.x * frame.imageSize.y);
+    const float share = pixelArea * distance2 / max(abs(dot(twiceArea, along)), 1e-30);
+    return share * vec2(uvAreaOf(t.place, 0u), kUvSets > 1u ? uvAreaOf(t.place, 1u) : 0.0);
+}
+
 // Rasterisers ask this where rays ask letsThrough().
 bool pixelSeesThrough(uint triangle, ivec2 pixel) {
     const TriangleRecord t = loadTriangle(triangle);
@@ -37,7 +52,8 @@ bool pixelSeesThrough(uint triangle, ivec2 pixel) {
 Surface surfaceOfPixel(uint triangle, ivec2 pixel) {
     const vec3 direction = cameraDirection(pixel);
     const TriangleRecord t = loadTriangle(triangle);
-    return surfaceAt(t, barycentricsOfPixel(t, frame.cameraPosition, direction), -direction);
+    const vec2 barycentrics = barycentricsOfPixel(t, frame.cameraPosition, direction);
+    return surfaceAt(t, barycentrics, -direction, footprintOfPixel(t, barycentrics, direction));
 }
 
 #endif

@@ -7,9 +7,10 @@
 // Unlit materials are seen as they are; others show what their front side emits.
 vec3 emissionSeenAt(TriangleRecord t, vec2 barycentrics, vec3 toViewer) {
     const uint material = triangleMaterials[t.place];
-    if (kEmissionTextured && materials[material].isUnlit != 0u) return albedoAt(t.place, barycentrics, material);
+    const vec2 footprint = footprintOfPixel(t, barycentrics, -toViewer);
+    if (kEmissionTextured && materials[material].isUnlit != 0u) return albedoAt(t.place, barycentrics, material, footprint);
     const bool isFront = dot(counterClockwiseNormal(t), toViewer) > 0.0;
-    return isFront ? emittedRadianceAt(t.place, barycentrics, material) : vec3(0.0);
+    return isFront ? emittedRadianceAt(t.place, barycentrics, material, footprint) : vec3(0.0);
 }
 
 // Beyond the scene is the environment.

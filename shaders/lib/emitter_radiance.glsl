@@ -9,7 +9,8 @@
 vec3 radianceOfTriangle(Emitter emitter, vec2 u) {
     if (!kEmissionTextured || emitter.emissionTexture == kNoTexture) return emitter.emission;
     const uint place = placeOf(emitter.triangle);
-    return emitter.emission * sampleTexture(emitter.emissionTexture, uvsAt(place, squareToTriangle(u))).rgb;
+    return emitter.emission *
+           sampleTexture(emitter.emissionTexture, uvsAt(place, squareToTriangle(u)), kNoFootprint).rgb;
 }
 
 #endif

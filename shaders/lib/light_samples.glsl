@@ -107,7 +107,7 @@ EmissionMet emissionMetBy(Hit hit, vec3 direction) {
     if (cosLight <= 0.0) return EmissionMet(vec3(0.0), 0.0);
     const float area = areaOf(t);
     const float probability = frame.areaPowerShare * kPi * area * materials[material].meanEmission + frame.areaEqualShare;
-    return EmissionMet(emittedRadianceAt(t.place, hit.barycentrics, material),
+    return EmissionMet(emittedRadianceAt(t.place, hit.barycentrics, material, kNoFootprint),
                        count * probability / area * hit.t * hit.t / cosLight);
 }
 

@@ -7,8 +7,7 @@
 #include "shaders/shared/bsdf.h"
 #include "shaders/shared/packing.h"
 
-// Left out by ScenePlan where the scene has no such thing.
-layout(constant_id = 0) const bool kTextured = true;
+// Left out by ScenePlan where the scene has no such thing; 0 is in texture.glsl.
 layout(constant_id = 1) const bool kShadingNormals = true;
 layout(constant_id = 2) const bool kGlossy = true;            // reflection that depends on directions
 layout(constant_id = 4) const bool kNormalMapped = true;
@@ -120,6 +119,13 @@ vec2 uvAt(uint place, vec2 barycentrics, uint set) {
     return uv0 + barycentrics.x * (cornerUv(place, 1u, set) - uv0) + barycentrics.y * (cornerUv(place, 2u, set) - uv0);
 }
 
+// Twice a triangle's area in a set of uvs.
+float uvAreaOf(uint place, uint set) {
+    const vec2 uv0 = cornerUv(place, 0u, set);
+    const mat2 edges = mat2(cornerUv(place, 1u, set) - uv0, cornerUv(place, 2u, set) - uv0);
+    return abs(determinant(edges));
+}
+
 vec4 uvsAt(uint place, vec2 barycentrics) {
     if (!kTextured) return vec4(0.0);
     return vec4(uvAt(place, barycentrics, 0u), kUvSets > 1u ? uvAt(place, barycentrics, 1u) : vec2(0.0));
@@ -144,27 +150,27 @@ bool isCulledFrom(uint triangle, vec3 toViewer) {
 }
 
 // The texture's value there, 1 where there is none.
-vec4 texturedBy(uint texture, vec4 uvs) {
-    return kTextured && texture != kNoTexture ? sampleTexture(texture, uvs) : vec4(1.0);
+vec4 texturedBy(uint texture, vec4 uvs, vec2 footprint) {
+    return kTextured && texture != kNoTexture ? sampleTexture(texture, uvs, footprint) : vec4(1.0);
 }
 
-vec3 albedoAt(uint place, vec2 barycentrics, uint material) {
+vec3 albedoAt(uint place, vec2 barycentrics, uint material, vec2 footprint) {
     return materials[material].albedo *
-           texturedBy(materials[material].albedoTexture, uvsAt(place, barycentrics)).rgb *
+           texturedBy(materials[material].albedoTexture, uvsAt(place, barycentrics), footprint).rgb *
            vertexColourAt(place, barycentrics).rgb;
 }
 
 // Radiance that the front side emits.
-vec3 emittedRadianceAt(uint place, vec2 barycentrics, uint material) {
+vec3 emittedRadianceAt(uint place, vec2 barycentrics, uint material, vec2 footprint) {
     const vec3 radiance = materials[material].emittedRadiance;
     if (!kEmissionTextured || radiance == vec3(0.0)) return radiance;
-    return radiance * texturedBy(materials[material].emissionTexture, uvsAt(place, barycentrics)).rgb;
+    return radiance * texturedBy(materials[material].emissionTexture, uvsAt(place, barycentrics), footprint).rgb;
 }
 
 // What of a material that is not opaque is there, in [0, 1].
 float coverageAt(uint place, vec2 barycentrics, uint material) {
     const float opacity = materials[material].opacity *
-                          texturedBy(materials[material].opacityTexture, uvsAt(place, barycentrics)).a *
+                          texturedBy(materials[material].opacityTexture, uvsAt(place, barycentrics), kNoFootprint).a *
                           vertexColourAt(place, barycentrics).a;
     if (materials[material].alphaMode == kAlphaMask) return opacity >= materials[material].alphaCutoff ? 1.0 : 0.0;
     return opacity;
@@ -183,7 +189,7 @@ bool letsThrough(uint place, vec2 barycentrics, uint ray) {
 
 // Tilts `n` by the material's normal map. Tangent and bitangent go along the texture's u and v; they need not be
 // perpendicular, and mirrored uvs mirror them.
-vec3 mappedNormal(TriangleRecord t, vec2 barycentrics, uint material, vec3 n) {
+vec3 mappedNormal(TriangleRecord t, vec2 barycentrics, uint material, vec3 n, vec2 footprint) {
     const uint texture = materials[material].normalTexture;
     if (!kNormalMapped || texture == kNoTexture) return n;
     const uint set = (textureInfos[texture].mode & kTextureUv1) != 0u ? 1u : 0u;
@@ -206,16 +212,17 @@ vec3 mappedNormal(TriangleRecord t, vec2 barycentrics, uint material, vec3 n) {
     const vec3 across = cross(n, tangent);
     // Green points up in the picture: against v, which grows with its rows.
     const vec3 bitangent = dot(across, towardsV) > 0.0 ? -across : across;
-    const vec3 texel = 2.0 * texturedBy(texture, uvsAt(t.place, barycentrics)).rgb - 1.0;
+    const vec3 texel = 2.0 * texturedBy(texture, uvsAt(t.place, barycentrics), footprint).rgb - 1.0;
     const vec3 tilted = materials[material].normalScale * (texel.x * tangent + texel.y * bitangent) + texel.z * n;
     const float length2 = dot(tilted, tilted);
     return length2 > 1e-12 ? tilted * inversesqrt(length2) : n;
 }
 
-Bsdf bsdfAt(uint place, vec2 barycentrics, uint material) {
-    const vec3 albedo = albedoAt(place, barycentrics, material);
+Bsdf bsdfAt(uint place, vec2 barycentrics, uint material, vec2 footprint) {
+    const vec3 albedo = albedoAt(place, barycentrics, material, footprint);
     if (!kGlossy) return lambertian(albedo);
-    const vec4 roughMetal = texturedBy(materials[material].metallicRoughnessTexture, uvsAt(place, barycentrics));
+    const vec4 roughMetal =
+        texturedBy(materials[material].metallicRoughnessTexture, uvsAt(place, barycentrics), footprint);
     return metallicRoughness(albedo, materials[material].metallic * roughMetal.b,
                              materials[material].roughness * roughMetal.g, materials[material].specular);
 }
@@ -223,26 +230,26 @@ Bsdf bsdfAt(uint place, vec2 barycentrics, uint material) {
 // `toViewer` points away from the surface, to where the ray came from; it need not be unit.
 // Normals are turned to the viewer's side, a two-sided reflector: the geometric one, which cannot be wrong about sides,
 // and the shading normal with it.
-Surface surfaceAt(TriangleRecord t, vec2 barycentrics, vec3 toViewer) {
+Surface surfaceAt(TriangleRecord t, vec2 barycentrics, vec3 toViewer, vec2 footprint) {
     const vec3 counterClockwise = counterClockwiseNormal(t);
     const uint material = triangleMaterials[t.place];
     vec3 shading = shadingNormalAt(t, barycentrics, counterClockwise);
     // The map belongs to the front of the surface.
     shading = dot(shading, counterClockwise) < 0.0 ? -shading : shading;
-    shading = mappedNormal(t, barycentrics, material, shading);
+    shading = mappedNormal(t, barycentrics, material, shading, footprint);
     Surface surface;
     surface.position = positionAt(t, barycentrics);
     surface.isFrontFacing = dot(counterClockwise, toViewer) > 0.0;
     surface.geometricNormal = surface.isFrontFacing ? counterClockwise : -counterClockwise;
     surface.normal = dot(shading, surface.geometricNormal) < 0.0 ? -shading : shading;
     surface.material = material;
-    surface.bsdf = bsdfAt(t.place, barycentrics, material);
+    surface.bsdf = bsdfAt(t.place, barycentrics, material, footprint);
     if (materials[material].isUnlit != 0u) surface.bsdf = lambertian(vec3(0.0));
     return surface;
 }
 
 Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
-    return surfaceAt(loadTriangle(triangle), barycentrics, toViewer);
+    return surfaceAt(loadTriangle(triangle), barycentrics, toViewer, kNoFootprint);
 }
 
 #endif

@@ -47,13 +47,12 @@ vec3 emissionMet(PathState path, float lightDensity, vec3 radiance) {
     return counts(path.scatterings) ? path.throughput * radiance * weight : vec3(0.0);
 }
 
-vec3 emissionOfSurface(PathState path, Hit hit) {
-    const TriangleRecord t = loadTriangle(hit.triangle);
+vec3 emissionOfSurface(PathState path, Hit hit, TriangleRecord t, vec2 footprint) {
     const uint material = triangleMaterials[t.place];
     if (kEmissionTextured && materials[material].isUnlit != 0u)
-        return path.scatterings == 0u && counts(0u) ? albedoAt(t.place, hit.barycentrics, material) : vec3(0.0);
+        return path.scatterings == 0u && counts(0u) ? albedoAt(t.place, hit.barycentrics, material, footprint) : vec3(0.0);
     const float cosLight = -dot(counterClockwiseNormal(t), path.direction);
-    const vec3 radiance = emittedRadianceAt(t.place, hit.barycentrics, material);
+    const vec3 radiance = emittedRadianceAt(t.place, hit.barycentrics, material, footprint);
     if (cosLight <= 0.0 || radiance == vec3(0.0)) return vec3(0.0);
     const float density =
         densityOfEmitterPoint(materials[material].meanEmission, areaOf(t), hit.t * hit.t, cosLight);
@@ -119,12 +118,16 @@ PathState meetSurface(PathState path, uint seed) {
         path.normal = counterClockwiseNormal(t);
         return path;
     }
-    path.radiance += emissionOfSurface(path, hit);
+    const TriangleRecord t = loadTriangle(hit.triangle);
+    // Only what the camera sees is averaged over a pixel: light that surfaces exchange, VPLs carry too.
+    vec2 footprint = kNoFootprint;
+    if (path.scatterings == 0u) footprint = footprintOfPixel(t, hit.barycentrics, path.direction);
+    path.radiance += emissionOfSurface(path, hit, t, footprint);
     if (path.scatterings == push.maxScatterings) {
         path.isAlive = 0u;
         return path;
     }
-    const Surface surface = surfaceAt(hit.triangle, hit.barycentrics, -path.direction);
+    const Surface surface = surfaceAt(t, hit.barycentrics, -path.direction, footprint);
     const uint dimension = 1u + path.scatterings * kDimensionsPerSurface;
     path.radiance += directLight(path, surface, seed, dimension);
     return scatter(path, surface, seed, dimension);

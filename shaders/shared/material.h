@@ -50,7 +50,8 @@ struct TextureInfo {
     uint mode;
     vec4 uvMatrix;  // columns
     vec2 uvOffset;
-    vec2 unused;
+    uint firstReduced;  // texel: half as wide and high, rounded down, then half of that, and so on to a single texel
+    uint levelCount;    // with the texture itself; 1: it is not mipmapped
 };
 
 MANYLIGHT_SHARED_END

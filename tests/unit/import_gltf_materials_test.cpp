@@ -119,6 +119,7 @@ TEST_F(GltfImport, SamplersAndTextureTransforms) {
     EXPECT_EQ(scene.textures[0].wrapU, TextureWrap::ClampToEdge);
     EXPECT_EQ(scene.textures[0].wrapV, TextureWrap::MirroredRepeat);
     EXPECT_EQ(scene.textures[0].filter, TextureFilter::Nearest);
+    EXPECT_TRUE(scene.textures[0].isMipmapped);  // as the sampler says nothing
     const TextureUse& use = scene.materials[0].albedoTexture;
     EXPECT_EQ(use.uvSet, 0u);
     EXPECT_EQ(cornerOf(scene, 0, 1).uv, glm::vec2(1, 0));
@@ -126,6 +127,10 @@ TEST_F(GltfImport, SamplersAndTextureTransforms) {
     EXPECT_LT(glm::length(lookedUpAt(use, {1, 0}) - glm::vec2(0.5f, -1.75f)), 1e-6f);
     // (0, 1) scaled to (0, 4), turned to (4, 0), moved.
     EXPECT_LT(glm::length(lookedUpAt(use, {0, 1}) - glm::vec2(4.5f, 0.25f)), 1e-6f);
+    for (const int minFilter : {9728, 9729, 9984, 9985, 9986, 9987}) {
+        json_["samplers"][0]["minFilter"] = minFilter;
+        EXPECT_EQ(importJson().textures[0].isMipmapped, minFilter >= 9984) << minFilter;
+    }
     json_["samplers"][0]["wrapS"] = 12;
     EXPECT_EQ(importJson().warnings.count("texture wraps of unknown kind taken as repeat"), 1u);
 }

@@ -81,6 +81,7 @@ TEST(ScenePlan, LeavesOutWhatNoTriangleUsesAndSaysWhy) {
     scene.vertices.resize(3);
     scene.triangles = {{{0, 1, 2}, 0}};
     scene.materials.resize(2);
+    scene.textures.resize(1);
     scene.materials[1].albedoTexture.texture = 0;  // used by no triangle
     const ScenePlan plan = planScene(scene);
     EXPECT_FALSE(plan.textured);

@@ -90,7 +90,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
     {"TextureInfo",
      {{MEMBER(TextureInfo, firstTexel), MEMBER(TextureInfo, width), MEMBER(TextureInfo, height),
        MEMBER(TextureInfo, mode), MEMBER(TextureInfo, uvMatrix), MEMBER(TextureInfo, uvOffset),
-       MEMBER(TextureInfo, unused)},
+       MEMBER(TextureInfo, firstReduced), MEMBER(TextureInfo, levelCount)},
       sizeof(shared::TextureInfo)}},
     {"FrameStatus",
      {{MEMBER(FrameStatus, loopBudgetExceeded), MEMBER(FrameStatus, shadingNormalsCapped),
