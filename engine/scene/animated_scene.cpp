@@ -49,15 +49,13 @@ RawScene AnimatedScene::placesAt(double time) const {
     return readSceneFile(path_, options);
 }
 
-void AnimatedScene::read(double time) {
-    ImportOptions options = options_;
-    options.time = time;
-    RawScene raw = readSceneFile(path_, options);
+std::vector<glm::dvec3> AnimatedScene::framePointsFor(const RawScene& raw) const {
     std::vector<RawBox> boxes;
     for (const RawMesh& mesh : raw.meshes) boxes.push_back(boxOf(mesh));
     RawBox all;
-    for (const double other : times_) {
-        const RawScene places = placesAt(other);
+    for (const double time : times_) {
+        const RawScene places = placesAt(time);
+        for (const glm::dvec3& point : places.framePoints) all.include(point);
         if (meshesOf(places.instances) != meshesOf(raw.instances)) continue;
         for (const RawInstance& instance : places.instances)
             for (int corner = 0; corner < 8; ++corner) {
@@ -67,16 +65,27 @@ void AnimatedScene::read(double time) {
                 all.include(instance.sceneFromMesh * glm::dvec4(point, 1.0));
             }
     }
-    if (!raw.instances.empty()) raw.framePoints = {all.low, all.high};
-    framePoints_ = raw.framePoints;
-    meshOfSource_ = meshesOf(raw.instances);
+    if (!(all.low.x <= all.high.x)) return {};
+    return {all.low, all.high};
+}
+
+void AnimatedScene::read(double time) {
+    ImportOptions options = options_;
+    options.time = time;
+    RawScene raw = readSceneFile(path_, options);
+    std::vector<uint32_t> meshes = meshesOf(raw.instances);
+    // What only deforms keeps its frame, or each picture would look at all times again.
+    if (framePoints_.empty() || meshes != meshOfSource_) framePoints_ = framePointsFor(raw);
+    raw.framePoints = framePoints_;
+    meshOfSource_ = std::move(meshes);
+    shape_ = raw.shape;
     scene_ = normalise(std::move(raw));
 }
 
 AnimatedScene::Change AnimatedScene::moveTo(double time) {
     const RawScene places = placesAt(time);
     const size_t before = scene_.instances.size();
-    if (meshesOf(places.instances) != meshOfSource_) {
+    if (meshesOf(places.instances) != meshOfSource_ || places.shape != shape_) {
         read(time);
         return Change::Everything;
     }

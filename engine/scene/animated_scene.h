@@ -22,13 +22,14 @@ class AnimatedScene {
 
     enum class Change : uint8_t {
         Places,      // of instances, lights and cameras: Renderer::sceneMoved() shows them
-        Everything,  // a mesh vanished, appeared or was turned inside out: needs a new Renderer
+        Everything,  // a mesh was deformed, vanished, appeared or was turned inside out: needs a new Renderer
     };
     Change moveTo(double time);
 
   private:
     RawScene placesAt(double time) const;
     void read(double time);
+    std::vector<glm::dvec3> framePointsFor(const RawScene& raw) const;
 
     std::filesystem::path path_;
     ImportOptions options_;
@@ -38,6 +39,7 @@ class AnimatedScene {
     std::vector<glm::dvec3>
         framePoints_;  // the bounds hold all of the motion: the camera and lights of all pictures agree
     std::vector<uint32_t> meshOfSource_;  // of the instances in the file
+    std::vector<double> shape_;           // RawScene::shape of what is there
 };
 
 }  // namespace manylight

@@ -12,7 +12,7 @@ namespace manylight {
 namespace {
 
 /// What tinygltf is to see. Buffers and images are opened by us (it trusts their sizes, expands their names in a shell
-/// and gives up on one it does not need); the rest is not used.
+/// and gives up on one it does not need); animations and skins we read ourselves.
 Json forTinygltf(const Json& checked) {
     Json json = checked;
     for (const char* key : {"buffers", "images", "animations", "skins"}) json.erase(key);

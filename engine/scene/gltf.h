@@ -8,8 +8,8 @@
 
 namespace manylight {
 
-/// Reads the default scene in its rest pose. Throws Error naming the file and the JSON path for anything out of range;
-/// what the engine has no use for (animations, skins, points and lines, ...) is counted in RawScene::warnings.
+/// Reads the default scene in its rest pose, or as `options` say. Throws Error naming the file and the JSON path for
+/// anything out of range; what the engine has no use for (points and lines, ...) is counted in RawScene::warnings.
 RawScene readGltf(const std::filesystem::path& path, const ImportOptions& options = {});
 
 }  // namespace manylight

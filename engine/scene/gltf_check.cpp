@@ -118,6 +118,7 @@ void checkGltf(const JsonView& root, Warnings& warnings) {
     checkGltfMaterials(root, warnings);
     checkGltfMeshes(root, warnings);
     checkGltfNodes(root, warnings);
+    checkGltfSkins(root);
 }
 
 }  // namespace manylight

@@ -14,6 +14,7 @@ void checkGltfAccessors(const JsonView& root, Warnings& warnings);
 void checkGltfMeshes(const JsonView& root, Warnings& warnings);
 void checkGltfMaterials(const JsonView& root, Warnings& warnings);
 void checkGltfNodes(const JsonView& root, Warnings& warnings);
+void checkGltfSkins(const JsonView& root);
 
 /// Calls `check(element)` for every element of the root's array `key`; each must be an object.
 template <typename Check>

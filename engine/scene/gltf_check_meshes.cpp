@@ -35,6 +35,17 @@ std::pair<std::string, int> splitSemantic(const std::string& name) {
     return {name.substr(0, bar), std::stoi(name.substr(bar + 1))};
 }
 
+void checkSkinFormat(const JsonView& attribute, const std::string& semantic, const AccessorFacts& facts,
+                     Warnings& warnings) {
+    const bool isUnsigned = facts.componentType == 5121 || facts.componentType == 5123;
+    if (semantic == "JOINTS" && (facts.type != "VEC4" || !isUnsigned || facts.isNormalised))
+        attribute.failExpected("an accessor of VEC4, unsigned bytes or shorts, not normalised");
+    if (semantic == "WEIGHTS" && (facts.type != "VEC4" || (!isUnsigned && facts.componentType != 5126)))
+        attribute.failExpected("an accessor of VEC4, float or unsigned bytes or shorts");
+    if (semantic == "WEIGHTS" && facts.componentType != 5126 && !facts.isNormalised)
+        warnings.add("glTF joint weights of integers that are not normalised", attribute.path());
+}
+
 /// The attributes that the importer reads must have a layout it can read; all others only have to be plausible.
 void checkAttributeFormat(const JsonView& attributes, const std::string& name, const AccessorFacts& facts,
                           Warnings& warnings) {
@@ -50,6 +61,7 @@ void checkAttributeFormat(const JsonView& attributes, const std::string& name, c
         attribute.failExpected("an accessor of VEC3 or VEC4, float or small integers");
     if (isColour && facts.componentType != 5126 && !facts.isNormalised)
         warnings.add("glTF colours of integers that are not normalised", attribute.path());
+    if (semantic == "JOINTS" || semantic == "WEIGHTS") checkSkinFormat(attribute, semantic, facts, warnings);
     if (facts.componentType == 5125) warnings.add("glTF attributes of 32-bit integers", attribute.path());
     static const std::set<std::string> kPlain = {"POSITION", "NORMAL", "TANGENT"};
     static const std::set<std::string> kIndexed = {"TEXCOORD", "COLOR", "JOINTS", "WEIGHTS"};
@@ -83,8 +95,10 @@ class MeshChecker {
             targetCounts.insert(primitives.at(i).has("targets") ? primitives.at(i).at("targets").size() : 0);
         }
         if (targetCounts.size() > 1) warnings_.add("glTF meshes with unequal morph targets", mesh.path());
-        if (mesh.has("weights") && mesh.at("weights").expectArray().size() != *targetCounts.begin())
-            warnings_.add("glTF morph weights of wrong number", mesh.path());
+        if (!mesh.has("weights")) return;
+        const JsonView weights = mesh.at("weights").expectArray();
+        for (size_t i = 0; i < weights.size(); ++i) weights.at(i).number();
+        if (weights.size() != *targetCounts.begin()) warnings_.add("glTF morph weights of wrong number", mesh.path());
     }
 
     /// Interleaved data needs a stride; one view must not serve both as vertices and as indices.
@@ -160,7 +174,6 @@ class MeshChecker {
         if (facts.bufferView >= 0) indexViews_.insert(facts.bufferView);
     }
 
-    /// Morph targets are not applied, but a broken reference is still an error.
     void checkTargets(const JsonView& primitive, int64_t vertexCount) {
         const JsonView targets = primitive.at("targets").expectArray();
         for (size_t i = 0; i < targets.size(); ++i) {
@@ -170,11 +183,21 @@ class MeshChecker {
                 if (facts.count != vertexCount) target.at(name).failExpected(fmt::format("{} elements", vertexCount));
                 if (!primitive.at("attributes").has(name))
                     warnings_.add("glTF morph targets without a base attribute", target.path());
+                else
+                    checkTargetFormat(target, primitive.at("attributes"), name, facts);
                 if (name == "POSITION") checkPositionBounds(target);
                 if (indexViews_.contains(facts.bufferView))
                     warnings_.add("glTF buffer views of mixed use", target.path());
             }
         }
+    }
+
+    void checkTargetFormat(const JsonView& target, const JsonView& attributes, const std::string& name,
+                           const AccessorFacts& facts) {
+        checkAttributeFormat(target, name, facts, warnings_);
+        const bool mayDiffer = splitSemantic(name).first == "TANGENT";  // without its fourth component, and not read
+        if (!mayDiffer && facts.type != factsOf(root_, attributes, name).type)
+            warnings_.add("glTF morph targets of another type than their base", target.path());
     }
 
     /// Counts textures of the material, of whatever kind, whose coordinates the primitive lacks.

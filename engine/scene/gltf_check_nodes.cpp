@@ -5,6 +5,20 @@
 namespace manylight {
 namespace {
 
+/// A node's own weights stand in for those of its mesh.
+void checkMorphWeights(const JsonView& root, const JsonView& node, Warnings& warnings) {
+    if (!node.has("weights")) return;
+    const JsonView weights = node.at("weights").expectArray();
+    for (size_t i = 0; i < weights.size(); ++i) weights.at(i).number();
+    size_t targetCount = 0;
+    if (node.has("mesh")) {
+        const JsonView mesh = root.at("meshes").at(static_cast<size_t>(node.at("mesh").integer(0, INT32_MAX)));
+        const JsonView primitive = mesh.at("primitives").at(0);
+        if (primitive.has("targets")) targetCount = primitive.at("targets").size();
+    }
+    if (weights.size() != targetCount) warnings.add("glTF morph weights of wrong number", node.path());
+}
+
 void checkNode(const JsonView& root, const JsonView& node, std::vector<bool>& hasParent, Warnings& warnings) {
     checkGltfIndex(root, node, "mesh", "meshes");
     checkGltfIndex(root, node, "camera", "cameras");
@@ -12,7 +26,9 @@ void checkNode(const JsonView& root, const JsonView& node, std::vector<bool>& ha
     checkGltfNumbers(node, "translation", 3);
     checkGltfNumbers(node, "rotation", 4);
     checkGltfNumbers(node, "scale", 3);
-    if (node.has("skin")) warnings.add("skins ignored: meshes keep their rest pose", node.path());
+    checkGltfIndex(root, node, "skin", "skins");
+    if (node.has("skin") && !node.has("mesh")) warnings.add("skins of nodes without a mesh ignored", node.path());
+    checkMorphWeights(root, node, warnings);
     if (!node.has("children")) return;
     const JsonView children = node.at("children").expectArray();
     for (size_t i = 0; i < children.size(); ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/scene/gltf_accessor.h"
+#include "engine/scene/gltf_meshes.h"
 #include "engine/scene/import_options.h"
 #include "engine/scene/raw_scene.h"
 
@@ -15,10 +16,14 @@ struct GltfMeshUse {
     glm::dmat4 sceneFromMesh{1.0};
     std::string place;   // JSON path of the node
     bool moves = false;  // by the animation
+    GltfShape shape{};
+    bool deforms = false;  // by the animation
 };
 
 /// Appends the meshes, in the order of their uses: as triangles in the scene's space, or as shared meshes and instances
-/// where chooseSharing() says so. What moves is an instance with ImportOptions::keepsMoving.
+/// where chooseSharing() says so: uses that morph targets make equal may share, those with skins never do. What moves
+/// is an instance with ImportOptions::keepsMoving. With ImportOptions::placesOnly, RawScene::framePoints hold what
+/// deforms.
 void addGltfMeshUses(const GltfFile& gltf, const std::vector<GltfMeshUse>& uses, const ImportOptions& options,
                      RawScene& scene);
 

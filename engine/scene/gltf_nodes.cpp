@@ -1,78 +1,17 @@
 #include "engine/scene/gltf_nodes.h"
 
 #include "engine/core/error.h"
-#include "engine/scene/gltf_animation.h"
 #include "engine/scene/gltf_instances.h"
-
-#include <glm/gtc/quaternion.hpp>
+#include "engine/scene/gltf_node_transforms.h"
+#include "engine/scene/gltf_skins.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <span>
 
 namespace manylight {
 namespace {
-
-using Numbers = std::span<const double>;
-
-/// Scales, then rotates by the quaternion (x, y, z, w), then moves. Empty parts change nothing.
-glm::dmat4 composed(Numbers translation, Numbers rotation, Numbers scale) {
-    glm::dmat4 matrix(1.0);
-    if (!rotation.empty()) {
-        const glm::dquat quaternion(rotation[3], rotation[0], rotation[1], rotation[2]);
-        const double length = glm::length(quaternion);
-        if (length > 0.0) matrix = glm::mat4_cast(quaternion / length);
-    }
-    if (!scale.empty())
-        for (int axis = 0; axis < 3; ++axis) matrix[axis] *= scale[static_cast<size_t>(axis)];
-    if (!translation.empty()) matrix[3] = {translation[0], translation[1], translation[2], 1.0};
-    return matrix;
-}
-
-glm::dmat4 parentFromNode(const tinygltf::Node& node, const NodePose& pose) {
-    const auto part = [](const std::optional<std::array<double, 4>>& posed, const std::vector<double>& own,
-                         size_t size) { return posed ? Numbers(*posed).first(size) : Numbers(own); };
-    if (node.matrix.size() != 16)
-        return composed(part(pose.translation, node.translation, 3), part(pose.rotation, node.rotation, 4),
-                        part(pose.scale, node.scale, 3));
-    glm::dmat4 matrix(1.0);
-    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<size_t>(i)];
-    return matrix;
-}
-
-/// The attributes of EXT_mesh_gpu_instancing, or nullptr.
-const tinygltf::Value* instanceAttributes(const tinygltf::Node& node) {
-    const auto found = node.extensions.find("EXT_mesh_gpu_instancing");
-    return found == node.extensions.end() ? nullptr : &found->second.Get("attributes");
-}
-
-constexpr const char* kInstanceAttributes[] = {"TRANSLATION", "ROTATION", "SCALE"};
-
-size_t instanceCount(const GltfFile& gltf, const tinygltf::Node& node) {
-    const tinygltf::Value* const attributes = instanceAttributes(node);
-    if (!attributes) return 1;
-    for (const char* name : kInstanceAttributes)
-        if (attributes->Has(name))
-            return gltf.model.accessors.at(static_cast<size_t>(attributes->Get(name).GetNumberAsInt())).count;
-    return 0;
-}
-
-/// Transforms of the node's instances, or the identity alone.
-std::vector<glm::dmat4> instancesOf(const GltfFile& gltf, const tinygltf::Node& node) {
-    const tinygltf::Value* const attributes = instanceAttributes(node);
-    if (!attributes) return {glm::dmat4(1.0)};
-    std::array<std::vector<double>, 3> numbers;
-    for (size_t i = 0; i < numbers.size(); ++i)
-        if (attributes->Has(kInstanceAttributes[i]))
-            numbers[i] = readGltfNumbers(gltf, attributes->Get(kInstanceAttributes[i]).GetNumberAsInt());
-    const auto part = [&](size_t attribute, size_t i, size_t size) {
-        return numbers[attribute].empty() ? Numbers() : Numbers(numbers[attribute]).subspan(i * size, size);
-    };
-    std::vector<glm::dmat4> instances(instanceCount(gltf, node));
-    for (size_t i = 0; i < instances.size(); ++i) instances[i] = composed(part(0, i, 3), part(1, i, 4), part(2, i, 3));
-    return instances;
-}
 
 void addCamera(const GltfFile& gltf, int index, const glm::dmat4& sceneFromNode, RawScene& scene) {
     const tinygltf::Camera& source = gltf.model.cameras.at(static_cast<size_t>(index));
@@ -109,7 +48,7 @@ void addLight(const GltfFile& gltf, int index, const glm::dmat4& sceneFromNode, 
 class NodeWalker {
   public:
     NodeWalker(const GltfFile& gltf, const ImportOptions& options, RawScene& scene)
-        : gltf_(gltf), scene_(scene), isVisited_(gltf.model.nodes.size()), poses_(isVisited_.size()) {
+        : gltf_(gltf), scene_(scene), places_(gltf.model.nodes.size()), poses_(places_.size()) {
         if (!options.time) return;
         const NodeAnimation animation = readNodeAnimation(gltf, scene.warnings);
         poses_ = posesAt(animation, poses_.size(), *options.time);
@@ -119,16 +58,10 @@ class NodeWalker {
     /// Adds cameras and lights; returns the meshes that are shown.
     std::vector<GltfMeshUse> walk() {
         // A stack of our own: the depth of the hierarchy is the file's choice.
-        for (const int root : roots()) {
-            stack_.push_back({root, glm::dmat4(1.0), false});
-            while (!stack_.empty()) {
-                const Pending next = stack_.back();
-                stack_.pop_back();
-                visit(next);
-            }
-        }
-        const auto unreached = std::count(isVisited_.begin(), isVisited_.end(), false);
+        for (const int root : roots()) visitFrom(root, true);
+        const auto unreached = std::ranges::count_if(places_, [](const NodePlace& place) { return !place.isKnown; });
         scene_.warnings.add("glTF nodes outside the default scene", {}, static_cast<uint64_t>(unreached));
+        takeSkins();
         return std::move(uses_);
     }
 
@@ -139,6 +72,11 @@ class NodeWalker {
         bool parentMoves;
     };
 
+    struct Skin {
+        std::shared_ptr<const std::vector<glm::dmat4>> joints;
+        bool moves = false;
+    };
+
     std::vector<int> roots() {
         const tinygltf::Model& model = gltf_.model;
         if (!model.scenes.empty()) {
@@ -146,6 +84,11 @@ class NodeWalker {
             return model.scenes[static_cast<size_t>(std::max(model.defaultScene, 0))].nodes;
         }
         if (!model.nodes.empty()) scene_.warnings.add("glTF files without a scene: all nodes are shown");
+        return parentless();
+    }
+
+    std::vector<int> parentless() const {
+        const tinygltf::Model& model = gltf_.model;
         std::vector<bool> isChild(model.nodes.size());
         for (const tinygltf::Node& node : model.nodes)
             for (const int child : node.children) isChild[static_cast<size_t>(child)] = true;
@@ -155,37 +98,114 @@ class NodeWalker {
         return found;
     }
 
-    void visit(const Pending& pending) {
+    /// Shown is what hangs on the nodes of the scene. Others have a place, for skins to know.
+    void visitFrom(int root, bool isShown) {
+        stack_.push_back({root, glm::dmat4(1.0), false});
+        while (!stack_.empty()) {
+            const Pending next = stack_.back();
+            stack_.pop_back();
+            visit(next, isShown);
+        }
+    }
+
+    void visit(const Pending& pending, bool isShown) {
         const int index = pending.node;
         const auto number = static_cast<size_t>(index);
-        if (isVisited_[number]) fail("{}: nodes[{}]: reached twice, expected a tree", gltf_.container.file, index);
-        isVisited_[number] = true;
+        if (places_[number].isKnown) {
+            if (!isShown) return;
+            fail("{}: nodes[{}]: reached twice, expected a tree", gltf_.container.file, index);
+        }
         const tinygltf::Node& node = gltf_.model.nodes[number];
         const NodePose& pose = poses_[number];
-        const bool moves = pending.parentMoves || pose.translation || pose.rotation || pose.scale;
+        const bool moves = pending.parentMoves || pose.moves();
         const glm::dmat4 sceneFromNode = pending.sceneFromParent * parentFromNode(node, pose);
-        if (node.mesh >= 0) addInstances(node, fmt::format("nodes[{}]", index), sceneFromNode, moves);
-        if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
-        if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
-            addLight(gltf_, found->second.Get("light").GetNumberAsInt(), sceneFromNode, scene_);
+        places_[number] = {sceneFromNode, true, moves};
+        if (isShown) show(index, node, sceneFromNode);
         for (size_t i = node.children.size(); i-- > 0;) stack_.push_back({node.children[i], sceneFromNode, moves});
     }
 
-    void addInstances(const tinygltf::Node& node, const std::string& place, const glm::dmat4& sceneFromNode,
-                      bool moves) {
-        const std::vector<glm::dmat4> instances = instancesOf(gltf_, node);
-        drawnPrimitives_ += instances.size() * gltf_.model.meshes.at(static_cast<size_t>(node.mesh)).primitives.size();
+    void show(int index, const tinygltf::Node& node, const glm::dmat4& sceneFromNode) {
+        if (node.mesh >= 0) addInstances(index, node, sceneFromNode);
+        if (node.camera >= 0) addCamera(gltf_, node.camera, sceneFromNode, scene_);
+        if (const auto found = node.extensions.find("KHR_lights_punctual"); found != node.extensions.end())
+            addLight(gltf_, found->second.Get("light").GetNumberAsInt(), sceneFromNode, scene_);
+    }
+
+    void addInstances(int index, const tinygltf::Node& node, const glm::dmat4& sceneFromNode) {
+        const std::string place = fmt::format("nodes[{}]", index);
+        const auto number = static_cast<size_t>(index);
+        std::vector<glm::dmat4> instances = instancesOf(gltf_, node);
+        if (node.skin >= 0 && hasGltfInstances(node)) {
+            scene_.warnings.add("instances of meshes with skins ignored", place);
+            instances = {glm::dmat4(1.0)};
+        }
+        const tinygltf::Mesh& mesh = gltf_.model.meshes.at(static_cast<size_t>(node.mesh));
+        drawnPrimitives_ += instances.size() * mesh.primitives.size();
         checkGltfAmount(gltf_, drawnPrimitives_, place, "drawn primitives");
-        for (const glm::dmat4& nodeFromInstance : instances)
-            uses_.push_back({node.mesh, sceneFromNode * nodeFromInstance, place, moves});
+        GltfMeshUse use{.mesh = node.mesh, .place = place, .moves = places_[number].moves};
+        use.shape.morph = morphOf(node, poses_[number]);
+        use.deforms = poses_[number].weights.has_value();
+        if (use.deforms) noteShape(*poses_[number].weights);
+        countMorphed(mesh, use, instances.size());
+        for (const glm::dmat4& nodeFromInstance : instances) {
+            use.sceneFromMesh = sceneFromNode * nodeFromInstance;
+            if (node.skin >= 0) skinned_.push_back({uses_.size(), static_cast<size_t>(node.skin)});
+            uses_.push_back(use);
+        }
+    }
+
+    /// The weights of the animation, else the node's own, else the mesh's.
+    std::shared_ptr<const GltfMorph> morphOf(const tinygltf::Node& node, const NodePose& pose) {
+        const tinygltf::Mesh& mesh = gltf_.model.meshes.at(static_cast<size_t>(node.mesh));
+        if (pose.weights || !node.weights.empty())
+            return std::make_shared<const GltfMorph>(gltfMorph(mesh, pose.weights ? *pose.weights : node.weights));
+        std::shared_ptr<const GltfMorph>& ofMesh = morphsOfMeshes_[node.mesh];
+        if (!ofMesh) ofMesh = std::make_shared<const GltfMorph>(gltfMorph(mesh, mesh.weights));
+        return ofMesh;
+    }
+
+    void countMorphed(const tinygltf::Mesh& mesh, const GltfMeshUse& use, size_t instances) {
+        for (const tinygltf::Primitive& primitive : mesh.primitives)
+            if (const auto found = primitive.attributes.find("POSITION"); found != primitive.attributes.end())
+                morphedVertices_ += instances * std::min(use.shape.morph->size(), primitive.targets.size()) *
+                                    gltf_.model.accessors.at(static_cast<size_t>(found->second)).count;
+        checkGltfAmount(gltf_, morphedVertices_, use.place, "vertices of morph targets");
+    }
+
+    void noteShape(std::span<const double> numbers) {
+        scene_.shape.insert(scene_.shape.end(), numbers.begin(), numbers.end());
+    }
+
+    /// Once all nodes have their places: joints may come after the meshes that follow them.
+    void takeSkins() {
+        if (skinned_.empty()) return;
+        for (const int root : parentless()) visitFrom(root, false);
+        GltfSkins skins(gltf_, places_, scene_.warnings);
+        std::map<size_t, Skin> taken;
+        for (const auto& [index, number] : skinned_) {
+            GltfMeshUse& use = uses_[index];
+            Skin& skin = taken[number];
+            if (!skin.joints) {
+                skin = {std::make_shared<const std::vector<glm::dmat4>>(skins.sceneFromBound(number)),
+                        skins.moves(number)};
+                if (skin.moves)
+                    for (const glm::dmat4& joint : *skin.joints) noteShape({&joint[0][0], 16});
+            }
+            if (use.moves) noteShape({&use.sceneFromMesh[0][0], 16});  // where parts of it follow no joint
+            use.shape.sceneFromBound = skin.joints;
+            use.deforms = use.deforms || use.moves || skin.moves;
+        }
     }
 
     const GltfFile& gltf_;
     RawScene& scene_;
     std::vector<GltfMeshUse> uses_;
     size_t drawnPrimitives_ = 0;
-    std::vector<bool> isVisited_;
-    std::vector<NodePose> poses_;  // by node
+    size_t morphedVertices_ = 0;
+    std::map<int, std::shared_ptr<const GltfMorph>> morphsOfMeshes_;  // at the weights of the mesh
+    std::vector<std::pair<size_t, size_t>> skinned_;                  // indices into uses_, and their skins
+    std::vector<NodePlace> places_;                                   // by node
+    std::vector<NodePose> poses_;
     std::vector<Pending> stack_;
 };
 

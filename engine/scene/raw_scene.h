@@ -100,7 +100,8 @@ struct RawScene {
     std::vector<RawTriangle> triangles;
     std::vector<RawMesh> meshes;          // beside `triangles`
     std::vector<RawInstance> instances;   // by mesh; their transforms can be inverted
-    std::vector<glm::dvec3> framePoints;  // where instances will be at other times: the frame holds them too
+    std::vector<glm::dvec3> framePoints;  // where things will be at other times: the frame holds them too
+    std::vector<double> shape;            // of what an animation deforms: as long as it stays, triangles do
     SharingChoice sharing;
     double animationEnd = 0.0;  // seconds; 0: nothing moves
     std::vector<RawMaterial> materials;

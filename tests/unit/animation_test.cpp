@@ -47,7 +47,7 @@ TEST(KeyFrames, RotationsTurnTheShorterWayAtOneSpeed) {
     const NodeChannel turn =
         channelOf(NodeProperty::Rotation, KeyInterpolation::Linear, {0, 1}, {0, 0, 0, 1, 0, 0, -half, -half});
     for (const double time : {0.25, 0.5, 0.9}) {
-        const std::array<double, 4> q = valueAt(turn, time);
+        const std::vector<double> q = valueAt(turn, time);
         EXPECT_NEAR(std::abs(q[2]), std::sin(time * 0.25 * std::numbers::pi), 1e-12) << time;
         EXPECT_NEAR(q[2] * q[2] + q[3] * q[3], 1.0, 1e-12);
     }
@@ -184,11 +184,126 @@ TEST_F(Animated, WrongAnimationsAreErrorsWithTheirPlace) {
     EXPECT_NE(errorAt(1.0).find("accessors["), std::string::npos) << errorAt(1.0);
 }
 
-TEST_F(Animated, MorphWeightsAreCounted) {
+TEST_F(Animated, WeightsWithoutMorphTargetsAreCounted) {
     target()["path"] = "weights";
     const Scene scene = importScene(path(), {.time = 1.0});
-    EXPECT_EQ(scene.warnings.count("animation channels ignored: no transform of a node"), 1u);
+    EXPECT_EQ(scene.warnings.count("animation channels ignored: weights without morph targets"), 1u);
     EXPECT_EQ(scene.animationEnd, 0.0);
+    target()["path"] = "pointer";
+    EXPECT_EQ(importScene(path(), {.time = 1.0}).warnings.count("animation channels ignored: no property of a node"),
+              1u);
+}
+
+/// Two morph targets lift the third corner of the triangle by 1 each; their weights go from 0, 1 over 2, 1 to 4, -1.
+class AnimatedShape : public Animated {
+  protected:
+    AnimatedShape() {
+        const size_t lift = keys(times({0, 0, 0, 0, 0, 0, 0, 0, 1}), "VEC3");
+        primitive()["targets"] = {{{"POSITION", lift}}, {{"POSITION", lift}}};
+        json_["meshes"][0]["weights"] = {0.0, 0.0};
+        target()["path"] = "weights";
+        setOutput({0, 1, 2, 1, 4, -1});
+    }
+    void setOutput(std::initializer_list<float> numbers) {
+        sampler()["output"] = keys(times(numbers), "SCALAR");
+        json_["accessors"].back()["count"] = numbers.size();
+    }
+    double heightAt(double time) const { return testing::filePosition(importScene(path(), {.time = time}), 0, 2).z; }
+    /// A bone below the moving node bends half of the triangle.
+    void makeSkin() {
+        target()["path"] = "rotation";
+        const float half = std::sqrt(0.5f);
+        sampler()["output"] = keys(times({0, 0, 0, 1, half, 0, 0, half, 1, 0, 0, 0}), "VEC4");
+        target()["node"] = 4;
+        json_["nodes"].push_back({{"name", "bone"}});
+        json_["scenes"][0]["nodes"].push_back(4);
+        json_["skins"] = {{{"joints", {4, 3}}}};
+        json_["nodes"][0]["skin"] = 0;
+        primitive()["attributes"]["JOINTS_0"] =
+            addAccessor(std::string({1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}), 5121, "VEC4");
+        primitive()["attributes"]["WEIGHTS_0"] = keys(times({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}), "VEC4");
+    }
+    void expectSameAsReadAnew(double time, const std::vector<double>& all, const Scene& shown) const {
+        std::vector<double> others{time};
+        others.insert(others.end(), all.begin(), all.end());
+        const AnimatedScene anew(path(), {}, others);
+        const Scene moved = flattened(shown);
+        const Scene read = flattened(anew.scene());
+        ASSERT_EQ(moved.vertices.size(), read.vertices.size());
+        for (size_t i = 0; i < moved.vertices.size(); ++i)
+            EXPECT_EQ(moved.vertices[i].position, read.vertices[i].position) << time;
+        EXPECT_EQ(moved.frame.center, read.frame.center);
+        EXPECT_EQ(moved.frame.exponent, read.frame.exponent);
+        EXPECT_EQ(moved.boundsMin, read.boundsMin);
+        EXPECT_EQ(moved.boundsMax, read.boundsMax);
+    }
+};
+
+TEST_F(AnimatedShape, WeightsFollowTheirKeys) {
+    EXPECT_NEAR(heightAt(0.0), 1.0, 1e-6);
+    EXPECT_NEAR(heightAt(0.5), 2.0, 1e-6);  // 1 + 1
+    EXPECT_NEAR(heightAt(1.5), 3.0, 1e-6);  // 3 + 0
+    EXPECT_NEAR(heightAt(9.0), 3.0, 1e-6);
+    EXPECT_EQ(importScene(path(), {.time = 0.5}).animationEnd, 2.0);
+    sampler()["interpolation"] = "STEP";
+    EXPECT_NEAR(heightAt(0.99), 1.0, 1e-6);
+    EXPECT_NEAR(heightAt(1.0), 3.0, 1e-6);
+}
+
+TEST_F(AnimatedShape, WeightsMayBeCubicSplines) {
+    // In-tangents, values and out-tangents, each for both targets: t^3 and -t^2 at 0, 1 and 2.
+    setOutput({0, 0, 0, 0, 0, 0, 3, -2, 1, -1, 3, -2, 12, -4, 8, -4, 12, -4});
+    sampler()["interpolation"] = "CUBICSPLINE";
+    for (const double t : {0.0, 0.3, 1.0, 1.6, 2.0}) EXPECT_NEAR(heightAt(t), t * t * t - t * t, 1e-6) << t;
+}
+
+TEST_F(AnimatedShape, WeightsOfWrongNumberAreAnErrorWithItsPlace) {
+    setOutput({0, 1, 2});  // one for each key, of two targets
+    EXPECT_NE(errorAt(1.0).find("a.gltf: animations[0].samplers[0].output: expected an accessor of 6 elements"),
+              std::string::npos)
+        << errorAt(1.0);
+    sampler()["output"] = values_;
+    EXPECT_NE(errorAt(1.0).find("samplers[0].output: expected an accessor of type SCALAR"), std::string::npos);
+}
+
+TEST_F(AnimatedShape, WhatDeformsIsReadAnewInTheSameFrame) {
+    const std::vector<double> all{0.0, 0.7, 2.0};
+    AnimatedScene animated(path(), {}, all);
+    const glm::dvec3 center = animated.scene().frame.center;
+    for (const double time : {0.7, 2.0, 0.0}) {
+        EXPECT_EQ(animated.moveTo(time), AnimatedScene::Change::Everything);
+        EXPECT_EQ(animated.moveTo(time), AnimatedScene::Change::Places);
+        EXPECT_EQ(animated.scene().frame.center, center);
+        expectSameAsReadAnew(time, all, animated.scene());
+    }
+}
+
+TEST_F(AnimatedShape, WhatMovesAndDeformsDoesBoth) {
+    json_["animations"][0]["samplers"].push_back({{"input", times_}, {"output", values_}});
+    json_["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "translation"}}}});
+    AnimatedScene animated(path(), {}, {0.0, 2.0});
+    EXPECT_EQ(animated.moveTo(1.5), AnimatedScene::Change::Everything);
+    const Scene flat = flattened(animated.scene());
+    ASSERT_EQ(flat.triangles.size(), 2u);
+    std::vector<glm::dvec3> thirds{testing::filePosition(flat, 0, 2), testing::filePosition(flat, 1, 2)};
+    if (thirds[0].y < thirds[1].y) std::swap(thirds[0], thirds[1]);
+    EXPECT_TRUE(testing::isNear(thirds[0], {3, 1, 3}, 1e-5));  // the other node's weights stay
+    EXPECT_TRUE(testing::isNear(thirds[1], {0, -4, 0}, 1e-5));
+}
+
+TEST_F(AnimatedShape, SkinsFollowTheirJoints) {
+    makeSkin();
+    // A turn about x by 90 degrees a second: the third corner goes up, then round; the others follow a joint at rest.
+    EXPECT_TRUE(testing::isNear(testing::filePosition(importScene(path(), {.time = 1.0}), 0, 2), {0, 0, 1}));
+    const Scene between = importScene(path(), {.time = 0.5});
+    EXPECT_TRUE(testing::isNear(testing::filePosition(between, 0, 2), {0, std::sqrt(0.5), std::sqrt(0.5)}));
+    EXPECT_TRUE(testing::isNear(testing::filePosition(between, 0, 1), {1, -5, 0}));
+    const std::vector<double> all{0.0, 0.7, 1.2};
+    AnimatedScene animated(path(), {}, all);
+    for (const double time : {0.7, 1.2}) {
+        EXPECT_EQ(animated.moveTo(time), AnimatedScene::Change::Everything);
+        expectSameAsReadAnew(time, all, animated.scene());
+    }
 }
 
 }  // namespace
