@@ -28,36 +28,25 @@ double milliseconds(Clock::time_point start) {
 class MovingRenderer {
   public:
     MovingRenderer(gpu::Device& device, AnimatedScene& scene, const RenderSettings& settings)
-        : device_(device), scene_(scene), settings_(settings) {
-        renew();
-    }
-    Renderer& renderer() { return *renderer_; }
+        : scene_(scene), settings_(settings), renderer_(device, scene.scene(), settings) {}
+    Renderer& renderer() { return renderer_; }
 
     /// Returns what it took, for the report.
     Json moveTo(double time) {
         const auto start = Clock::now();
         const AnimatedScene::Change change = scene_.moveTo(time);
         const double reading = milliseconds(start);
-        if (change == AnimatedScene::Change::Everything)
-            renew();
-        else
-            renderer_->sceneMoved(settings_);
         const bool isWhole = change == AnimatedScene::Change::Everything;
+        isWhole ? renderer_.sceneReplaced(settings_) : renderer_.sceneMoved(settings_);
         return {{"rebuilt", isWhole ? "everything" : "upper level and emitters"},
                 {"scene_milliseconds", reading},
                 {"device_milliseconds", milliseconds(start) - reading}};
     }
 
   private:
-    void renew() {
-        renderer_.reset();
-        renderer_ = std::make_unique<Renderer>(device_, scene_.scene(), settings_);
-    }
-
-    gpu::Device& device_;
     AnimatedScene& scene_;
     RenderSettings settings_;
-    std::unique_ptr<Renderer> renderer_;
+    Renderer renderer_;
 };
 
 CaptureOptions optionsOfPicture(CaptureOptions options, size_t number) {

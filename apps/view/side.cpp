@@ -84,10 +84,10 @@ void Side::showAsAsked() {
 }
 
 void Side::sceneMoved(const Scene& scene, AnimatedScene::Change change) {
-    if (change == AnimatedScene::Change::Everything) drop();
     if (!renderer_) return;
     try {
-        renderer_->sceneMoved(applied_);
+        change == AnimatedScene::Change::Everything ? renderer_->sceneReplaced(applied_)
+                                                    : renderer_->sceneMoved(applied_);
         if (!camera_) renderer_->lookThrough(scene.cameras.at(applied_.camera));
     } catch (const Error&) {
         drop();

@@ -22,7 +22,7 @@ class AnimatedScene {
 
     enum class Change : uint8_t {
         Places,      // of instances, lights and cameras: Renderer::sceneMoved() shows them
-        Everything,  // a mesh was deformed, vanished, appeared or was turned inside out: needs a new Renderer
+        Everything,  // a mesh was deformed, vanished, appeared or was turned inside out: Renderer::sceneReplaced()
     };
     Change moveTo(double time);
 

@@ -185,6 +185,17 @@ void Renderer::sceneMoved(const RenderSettings& settings) {
     restart(settings);
 }
 
+void Renderer::sceneReplaced(const RenderSettings& settings) {
+    if (reducedScene_) *reducedScene_ = diffuseOnly(givenScene_);
+    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    const Bvh bvh = buildTimed(scene_, startupTimes_.bvhBuild);
+    gpuScene_ = GpuScene{};  // before the new one, for its memory
+    gpuScene_ = uploadTimed(device_, scene_, plan_, bvh, startupTimes_.upload);
+    gatherTuner_ = {};
+    litArea_.reset();
+    restart(settings);
+}
+
 void Renderer::resolve(const RenderSettings& settings) {
     MANYLIGHT_CHECK(!scene_.cameras.empty(), "scene {}", scene_.path.string());
     settings_ = settings;

@@ -41,6 +41,9 @@ class Renderer {
     /// After instances, lights or cameras of the scene have moved, as AnimatedScene::moveTo() does. Restarts, as
     /// restart() does. Areas and albedos count as what they were.
     void sceneMoved(const RenderSettings& settings);
+    /// After the scene, at its old address, has become another with the same cameras: builds and uploads it anew, with
+    /// the pipelines that there are. Restarts. Throws Error as the constructor does, and is of no use after that.
+    void sceneReplaced(const RenderSettings& settings);
 
     /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
     Image radiance();

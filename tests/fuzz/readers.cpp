@@ -51,8 +51,8 @@ const Folder& folder() {
     return folder;
 }
 
-Outcome importFrom(const fs::path& path) {
-    const Scene scene = importScene(path);
+Outcome importFrom(const fs::path& path, const ImportOptions& options = {}) {
+    const Scene scene = importScene(path, options);
     checkScene(scene);
     const std::string plan = explain(planScene(scene));
     MANYLIGHT_CHECK(plan.size() > 0u);
@@ -77,8 +77,15 @@ Outcome readMtlFile(std::string_view bytes) {
     return importFrom(folder().path() / "uses_input.obj");
 }
 
-Outcome readGltfFile(std::string_view bytes) { return importFrom(folder().write("input.gltf", bytes)); }
-Outcome readGlbFile(std::string_view bytes) { return importFrom(folder().write("input.glb", bytes)); }
+/// At rest, and in the middle of its animations.
+Outcome importAnimated(const fs::path& path) {
+    const Outcome atRest = importFrom(path);
+    importFrom(path, {.time = 0.5});
+    return atRest;
+}
+
+Outcome readGltfFile(std::string_view bytes) { return importAnimated(folder().write("input.gltf", bytes)); }
+Outcome readGlbFile(std::string_view bytes) { return importAnimated(folder().write("input.glb", bytes)); }
 Outcome readSidecarFile(std::string_view bytes) { return importFrom(folder().write("input.json", bytes)); }
 
 Outcome readImageBytes(std::string_view bytes) {

@@ -44,6 +44,21 @@ TEST_F(RendererChanges, OtherLightsGiveThePictureOfASceneThatHasThem) {
     EXPECT_TRUE(sameBits(frameOf(renderer), render(scene, bouncing())));
 }
 
+TEST_F(RendererChanges, ASceneThatBecameAnotherGivesItsPicture) {
+    Scene scene = litBox();
+    RenderSettings settings = bouncing();
+    settings.materials = Materials::Diffuse;  // of which the renderer keeps a copy
+    Renderer renderer(device(), scene, settings);
+    const Image before = frameOf(renderer);
+    for (Vertex& vertex : scene.vertices) vertex.position.y += 0.1f * vertex.position.x * vertex.position.x;
+    scene.triangles.pop_back();
+    scene.lights.clear();
+    renderer.sceneReplaced(settings);
+    const Image replaced = frameOf(renderer);
+    EXPECT_FALSE(sameBits(before, replaced));
+    EXPECT_TRUE(sameBits(replaced, render(scene, settings)));
+}
+
 TEST_F(RendererChanges, AnotherCameraGivesThePictureOfASceneThatHasIt) {
     Scene scene = litBox();
     Renderer renderer(device(), scene, bouncing());
