@@ -300,8 +300,10 @@ TEST_F(AnimatedShape, SkinsFollowTheirJoints) {
     EXPECT_TRUE(testing::isNear(testing::filePosition(between, 0, 1), {1, -5, 0}));
     const std::vector<double> all{0.0, 0.7, 1.2};
     AnimatedScene animated(path(), {}, all);
+    const glm::dvec3 center = animated.scene().frame.center;
     for (const double time : {0.7, 1.2}) {
         EXPECT_EQ(animated.moveTo(time), AnimatedScene::Change::Everything);
+        EXPECT_EQ(animated.scene().frame.center, center);
         expectSameAsReadAnew(time, all, animated.scene());
     }
 }

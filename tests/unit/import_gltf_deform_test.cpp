@@ -197,8 +197,8 @@ TEST_F(Skinned, JointsAndWeightsMayBeQuantised) {
 TEST_F(Skinned, EightJointsMayMoveAVertex) {
     setWeights({1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0, 0, 0});
     primitive()["attributes"]["JOINTS_1"] =
-        addAccessor(bytesOf<uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}), 5121, "VEC4");
-    primitive()["attributes"]["WEIGHTS_1"] = addAccessor(floats({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0.5f}), 5126, "VEC4");
+        addAccessor(bytesOf<uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}), 5121, "VEC4");
+    primitive()["attributes"]["WEIGHTS_1"] = addAccessor(floats({0, 0, 0, 0, 0, 0, 0, 0, 0.5f, 0, 0, 0}), 5126, "VEC4");
     expectBent(importJson());
 }
 
