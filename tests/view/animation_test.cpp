@@ -52,6 +52,22 @@ TEST_F(ViewerAnimation, AtATimeIsThePictureWithoutAWindow) {
     EXPECT_EQ(largestDifference(imageOf("opened.png"), imageOf("at_1.png")), 0);
 }
 
+TEST_F(ViewerAnimation, WhatDeformsIsThePictureWithoutAWindow) {
+    Json json = jsonOf("moving.gltf");
+    json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 1}}};  // towards the camera, by the time
+    json["animations"][0]["samplers"].push_back({{"input", 4}, {"output", 4}});
+    json["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}});
+    write("moving.gltf", json.dump());
+    view("set panel off\nset at 1\nframes 2\ncapture mid.png\nset at 2\nframes 2\ncapture end.png", "--vpls 12");
+    const std::string still = fmt::format(
+        " moving.gltf --size {}x{} --bounces 2 --light-samples 4 --vpls 12 --frames 2 --animate 0:2:1 -o at_#.png",
+        kWidth, kHeight);
+    ASSERT_EQ(run(program("capture") + still), 0) << textOf("output");
+    EXPECT_GT(largestDifference(imageOf("at_1.png"), imageOf("at_2.png")), 20);
+    EXPECT_EQ(largestDifference(imageOf("mid.png"), imageOf("at_1.png")), 0);
+    EXPECT_EQ(largestDifference(imageOf("end.png"), imageOf("at_2.png")), 0);
+}
+
 TEST_F(ViewerAnimation, PlaysPausesAndRefines) {
     view(
         "frames 1\nset speed 2\nset play on\nwait 2\nkey p\nframes 1\nkey p\nwait 6\nreport playing.json\nframes 2\nreport held.json\nset loop off\nset at 1.9\nwait "
