@@ -34,6 +34,13 @@ std::array<size_t, 3> cornersOf(int mode, size_t t) {
     return {3 * t, 3 * t + 1, 3 * t + 2};
 }
 
+/// Makes room at once, in steps that grow: primitives may be many.
+template <typename T>
+void reserveMore(std::vector<T>& elements, size_t more) {
+    const size_t needed = elements.size() + more;
+    if (needed > elements.capacity()) elements.reserve(std::max(needed, 2 * elements.capacity()));
+}
+
 class PrimitiveReader {
   public:
     PrimitiveReader(const GltfFile& gltf, const tinygltf::Primitive& primitive, const GltfShape& shape,
@@ -86,6 +93,7 @@ class PrimitiveReader {
         const std::optional<GltfSkinning> joints = skinning();
         VertexTransform transform(sceneFromNode_);
         const size_t colourSize = colours ? colours->size() / (positions.size() / 3) : 0;
+        reserveMore(scene_.vertices, positions.size() / 3);
         for (size_t i = 0; i < positions.size() / 3; ++i) {
             if (joints) {
                 transform = VertexTransform(joints->sceneFromVertex(i));
@@ -121,6 +129,7 @@ class PrimitiveReader {
             scene_.warnings.add("primitives with an incomplete triangle", place_);
         const auto material = primitive_.material < 0 ? static_cast<uint32_t>(gltf_.model.materials.size())
                                                       : static_cast<uint32_t>(primitive_.material);
+        reserveMore(scene_.triangles, count);
         for (size_t t = 0; t < count; ++t) {
             RawTriangle triangle{.vertex = {}, .material = material, .origin = 0};
             triangle.origin = static_cast<uint32_t>(scene_.triangles.size());
