@@ -330,6 +330,8 @@ void Renderer::writeFrameConstants() {
     frame.environmentSize = gpuScene_.environmentSize;
     frame.environmentCellSide = gpuScene_.environmentCellSide;
     frame.environmentTurn = gpuScene_.environmentTurn;
+    // Samples that move inside the pixel average it themselves.
+    frame.pixelShare = settings_.jitter ? 1.0f / static_cast<float>(frameCount_ + 1) : 1.0f;
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
 }
 
