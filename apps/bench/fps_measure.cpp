@@ -101,6 +101,7 @@ FpsRun measureFps(const FpsOptions& options) {
     run.cells = makeCells(options, run.shadowedVplCounts);
 
     Renderer renderer(device, scene, settings);
+    renderer.keepDisplay();
     run.settings = renderer.settings();
     run.oneOff = {importSeconds, renderer.startupTimes().bvhBuild, renderer.startupTimes().upload,
                   firstFrameSeconds(renderer, settings, run.cells)};
