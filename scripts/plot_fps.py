@@ -9,6 +9,8 @@ TECHNIQUES = {  # name in the JSON: label, colour, marker
     "forward": ("forward", plotting.VERMILION, "o"),
     "forward-prepass": ("forward, depth pre-pass", plotting.ORANGE, "s"),
     "deferred": ("deferred", plotting.BLUE, "D"),
+    "interleaved": ("deferred, interleaved 4 × 4", plotting.GREEN, "^"),
+    "filtered": ("the same, filtered", plotting.PURPLE, "v"),
 }
 SEED_STYLE = {"linestyle": (0, (4, 3)), "linewidth": 1.0, "alpha": 0.75}
 
@@ -98,7 +100,7 @@ def draw_fit(axes, data, technique, shadows, vpls, colour):
 
 
 def draw_ratios(axes, data, shadows, vpls):
-    for technique in ("forward", "forward-prepass"):
+    for technique in (name for name in TECHNIQUES if name != "deferred"):
         cells = [c for c in cells_of(data, technique, shadows) if c["over_deferred"] is not None]
         if cells:
             label, colour, marker = TECHNIQUES[technique]

@@ -54,8 +54,8 @@ void addMeasureOptions(CLI::App& parser, FpsOptions& options) {
     addList(parser, "--vpls", options.vplCounts, "N,... [20,50,90,200,500,800]", "VPL counts", counts);
     addList(parser, "--shadowed-vpls", options.shadowedVplCounts, "N,...",
             "VPL counts with shadows; otherwise those of --vpls, on a software driver up to 90 only", counts);
-    addList(parser, "--techniques", options.techniques, "forward,forward-prepass,deferred", "what to compare",
-            CLI::IsMember({"forward", "forward-prepass", "deferred"}));
+    addList(parser, "--techniques", options.techniques, "forward,forward-prepass,deferred,interleaved,filtered",
+            "what to compare", CLI::IsMember({"forward", "forward-prepass", "deferred", "interleaved", "filtered"}));
     addList(parser, "--shadows", options.shadows, "off,on", "VPLs without shadow rays, with them, or both",
             CLI::IsMember({"off", "on"}));
     parser.add_option("--seconds", options.secondsPerCell, "time for each combination, at least")
@@ -83,7 +83,8 @@ BenchCommand addFpsCommand(CLI::App& app) {
     parser->add_option("--plot", options->plot, "FPS, ms and ratios over VPL counts, as .png or .svg")
         ->type_name("FILE")
         ->group("Output");
-    addSettingOptions(*parser, options->settings, {"technique", "vpls", "shadows", "show", "vpl-dots"});
+    addSettingOptions(*parser, options->settings,
+                      {"technique", "vpls", "shadows", "interleave", "filter", "quality", "show", "vpl-dots"});
     return {parser, [options] { fps(*options); }};
 }
 

@@ -42,10 +42,10 @@ std::vector<FpsSamples> makeCells(const FpsOptions& options, const std::vector<u
     for (const bool castShadows : {false, true}) {
         if (!contains(options.shadows, castShadows ? "on" : "off")) continue;
         for (const uint32_t vplCount : castShadows ? shadowedVplCounts : ascending(options.vplCounts))
-            for (const Technique technique : {Technique::Forward, Technique::ForwardPrepass, Technique::Deferred}) {
-                if (!contains(options.techniques, name(technique))) continue;
+            for (const FpsMethod method : kFpsMethods) {
+                if (!contains(options.techniques, name(method))) continue;
                 FpsSamples samples;
-                samples.cell = {technique, castShadows, vplCount};
+                samples.cell = {method, castShadows, vplCount};
                 cells.push_back(std::move(samples));
             }
     }
@@ -101,6 +101,7 @@ FpsRun measureFps(const FpsOptions& options) {
     run.cells = makeCells(options, run.shadowedVplCounts);
 
     Renderer renderer(device, scene, settings);
+    renderer.keepDisplay();
     run.settings = renderer.settings();
     run.oneOff = {importSeconds, renderer.startupTimes().bvhBuild, renderer.startupTimes().upload,
                   firstFrameSeconds(renderer, settings, run.cells)};

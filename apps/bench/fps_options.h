@@ -12,7 +12,7 @@ struct FpsOptions {
     std::filesystem::path scene;
     std::vector<uint32_t> vplCounts = {20, 50, 90, 200, 500, 800};  // those of the seed paper
     std::vector<uint32_t> shadowedVplCounts;                        // empty: as shadowedCounts() says
-    std::vector<std::string> techniques = {"forward", "forward-prepass", "deferred"};
+    std::vector<std::string> techniques = {"forward", "forward-prepass", "deferred", "interleaved", "filtered"};
     std::vector<std::string> shadows = {"off", "on"};
     double secondsPerCell = 2.0;  // at least, over all rounds
     uint32_t framesPerCell = 5;   // at least, over all rounds

@@ -12,7 +12,7 @@ Json numberOrNull(const std::optional<double>& value) { return value ? Json(*val
 Json toJson(const CellSummary& row) {
     Json passes = Json::object();
     for (const PassSummary& pass : row.passes) passes[pass.pass] = pass.milliseconds;
-    return {{"technique", name(row.cell.technique)},
+    return {{"technique", name(row.cell.method)},
             {"shadows", row.cell.castShadows},
             {"vpls", row.cell.vplCount},
             {"vpls_shaded", row.vplsShaded},
@@ -21,13 +21,14 @@ Json toJson(const CellSummary& row) {
             {"milliseconds", {{"median", row.wall.median}, {"p5", row.wall.p5}, {"p95", row.wall.p95}}},
             {"host_milliseconds", row.host},
             {"gpu_milliseconds", row.gpu},
+            {"forward_over", numberOrNull(row.forwardOver)},
             {"over_deferred", numberOrNull(row.overDeferred)},
             {"seed_paper_over_deferred", numberOrNull(row.seedOverDeferred)},
             {"pass_milliseconds", passes}};
 }
 
 Json toJson(const FitSummary& fit) {
-    return {{"technique", name(fit.technique)},
+    return {{"technique", name(fit.method)},
             {"shadows", fit.castShadows},
             {"fixed_milliseconds", fit.fixedMilliseconds},
             {"milliseconds_per_vpl", fit.millisecondsPerVpl},
@@ -44,7 +45,7 @@ Json seedPaperJson() {
 /// Without the settings that the cells vary.
 Json commonSettings(const RenderSettings& settings) {
     Json json = toJson(settings);
-    for (const char* varied : {"technique", "vpls", "shadows"}) json.erase(varied);
+    for (const char* varied : {"technique", "vpls", "shadows", "interleave", "filter"}) json.erase(varied);
     return json;
 }
 
@@ -52,13 +53,15 @@ Json commonSettings(const RenderSettings& settings) {
 
 std::string fpsCsv(const FpsSummary& summary) {
     std::string text =
-        "technique,shadows,vpls,vpls_shaded,frames,fps,ms_median,ms_p5,ms_p95,gpu_ms,host_ms,over_deferred,"
+        "technique,shadows,vpls,vpls_shaded,frames,fps,ms_median,ms_p5,ms_p95,gpu_ms,host_ms,forward_over,over_"
+        "deferred,"
         "seed_paper_over_deferred\n";
     for (const CellSummary& row : summary.cells) {
-        text += fmt::format("{},{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{}\n",
-                            name(row.cell.technique), row.cell.castShadows ? "on" : "off", row.cell.vplCount,
+        text += fmt::format("{},{},{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{},{},{}\n",
+                            name(row.cell.method), row.cell.castShadows ? "on" : "off", row.cell.vplCount,
                             row.vplsShaded, row.frameCount, row.fps, row.wall.median, row.wall.p5, row.wall.p95,
-                            row.gpu, row.host, row.overDeferred ? fmt::format("{:.4f}", *row.overDeferred) : "",
+                            row.gpu, row.host, row.forwardOver ? fmt::format("{:.4f}", *row.forwardOver) : "",
+                            row.overDeferred ? fmt::format("{:.4f}", *row.overDeferred) : "",
                             row.seedOverDeferred ? fmt::format("{:.4f}", *row.seedOverDeferred) : "");
     }
     return text;

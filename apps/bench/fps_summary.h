@@ -20,13 +20,14 @@ struct CellSummary {
     double gpu = 0.0;         // ms, median
     double vplsShaded = 0.0;  // median
     std::vector<PassSummary> passes;
+    std::optional<double> forwardOver;       // wall.median of forward with as many VPLs and the same shadows, over this
     std::optional<double> overDeferred;      // wall.median / that of deferred with as many VPLs and the same shadows
     std::optional<double> seedOverDeferred;  // the same in the seed paper: forward, its VPL counts, no shadows
 };
 
-/// Least squares over the medians of one technique.
+/// Least squares over the medians of one method.
 struct FitSummary {
-    Technique technique = Technique::Deferred;
+    FpsMethod method = FpsMethod::Deferred;
     bool castShadows = false;
     double fixedMilliseconds = 0.0;
     double millisecondsPerVpl = 0.0;
@@ -36,7 +37,7 @@ struct FitSummary {
 
 struct FpsSummary {
     std::vector<CellSummary> cells;
-    std::vector<FitSummary> fits;  // of the techniques and shadow modes with two VPL counts or more
+    std::vector<FitSummary> fits;  // of the methods and shadow modes with two VPL counts or more
 };
 
 FpsSummary summarise(const FpsRun& run);

@@ -44,18 +44,18 @@ std::string header(const FpsOptions& options, const FpsRun& run) {
 
 std::string framesTable(const FpsSummary& summary, bool castShadows) {
     std::string text = fmt::format("\nVPLs {} shadows\n", castShadows ? "with" : "without");
-    text += fmt::format("{:>6}  {:<16}{:>8}{:>11}  [{:>9} ..{:>9}]{:>12}{:>8}{:>8}{:>8}\n", "VPLs", "technique", "FPS",
-                        "median ms", "5 %", "95 %", "/ deferred", "seed *", "frames", "shaded");
+    text += fmt::format("{:>6}  {:<16}{:>8}{:>11}  [{:>9} ..{:>9}]{:>12}{:>11}{:>8}{:>8}{:>8}\n", "VPLs", "technique",
+                        "FPS", "median ms", "5 %", "95 %", "/ deferred", "forward /", "seed *", "frames", "shaded");
     uint32_t lastCount = ~0u;
     for (const CellSummary& row : summary.cells) {
         if (row.cell.castShadows != castShadows) continue;
         const bool isNewCount = row.cell.vplCount != lastCount;
         lastCount = row.cell.vplCount;
-        text += fmt::format("{:>6}  {:<16}{:>8}{:>11}  [{:>9} ..{:>9}]{:>12}{:>8}{:>8}{:>8.0f}\n",
-                            isNewCount ? std::to_string(lastCount) : "", name(row.cell.technique), number(row.fps),
+        text += fmt::format("{:>6}  {:<16}{:>8}{:>11}  [{:>9} ..{:>9}]{:>12}{:>11}{:>8}{:>8}{:>8.0f}\n",
+                            isNewCount ? std::to_string(lastCount) : "", name(row.cell.method), number(row.fps),
                             number(row.wall.median), number(row.wall.p5), number(row.wall.p95),
-                            numberOrDash(row.overDeferred), numberOrDash(row.seedOverDeferred), row.frameCount,
-                            row.vplsShaded);
+                            numberOrDash(row.overDeferred), numberOrDash(row.forwardOver),
+                            numberOrDash(row.seedOverDeferred), row.frameCount, row.vplsShaded);
     }
     return text;
 }
@@ -66,7 +66,7 @@ std::string fitTable(const FpsSummary& summary) {
     text += fmt::format("  {:<16}{:<9}{:>10}{:>12}{:>22}{:>16}{:>15}\n", "technique", "shadows", "fixed ms",
                         "ms per VPL", "ns per pixel and VPL", "seed *: fixed", "ms per VPL");
     for (const FitSummary& fit : summary.fits) {
-        text += fmt::format("  {:<16}{:<9}{:>10.2f}{:>12.4f}{:>22.3f}{:>16}{:>15}\n", name(fit.technique),
+        text += fmt::format("  {:<16}{:<9}{:>10.2f}{:>12.4f}{:>22.3f}{:>16}{:>15}\n", name(fit.method),
                             fit.castShadows ? "on" : "off", fit.fixedMilliseconds, fit.millisecondsPerVpl,
                             fit.nanosecondsPerPixelAndVpl, fit.seed ? fmt::format("{:.2f}", fit.seed->intercept) : "-",
                             fit.seed ? fmt::format("{:.4f}", fit.seed->slope) : "-");
@@ -78,10 +78,10 @@ std::string fitTable(const FpsSummary& summary) {
 std::string passTable(const FpsSummary& summary, bool castShadows) {
     const CellSummary* largest = nullptr;
     for (const CellSummary& row : summary.cells)
-        if (row.cell.castShadows == castShadows && (largest == nullptr || row.cell.technique == Technique::Deferred))
+        if (row.cell.castShadows == castShadows && (largest == nullptr || row.cell.method == FpsMethod::Deferred))
             largest = &row;
     std::string text =
-        fmt::format("\nTime per pass: {}, {} VPLs {} shadows (GPU, medians)\n", name(largest->cell.technique),
+        fmt::format("\nTime per pass: {}, {} VPLs {} shadows (GPU, medians)\n", name(largest->cell.method),
                     largest->cell.vplCount, castShadows ? "with" : "without");
     text += fmt::format("  {:<40}{:>10}{:>9}\n", "pass", "ms", "share");
     for (const PassSummary& pass : largest->passes)
@@ -110,7 +110,8 @@ std::string fpsTable(const FpsOptions& options, const FpsRun& run, const FpsSumm
     for (const bool castShadows : {false, true})
         if (has(summary, castShadows)) text += passTable(summary, castShadows);
     text += fmt::format(
-        "\n* {}, {}: compare ratios and slopes, not FPS. \"/ deferred\" is the frame time over deferred's.\n",
+        "\n* {}, {}: compare ratios and slopes, not FPS. \"/ deferred\" is the frame time over deferred's, \"forward "
+        "/\" forward's over it.\n",
         kSeedPaper, kSeedPaperMachine);
     return text;
 }

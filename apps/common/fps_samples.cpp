@@ -8,6 +8,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr uint32_t kInterleave = 4;
+
 void addPassTimes(std::vector<PassSamples>& passes, const std::vector<PassTime>& times) {
     for (PassSamples& pass : passes) pass.milliseconds.push_back(0.0);
     for (const PassTime& time : times) {
@@ -18,7 +20,17 @@ void addPassTimes(std::vector<PassSamples>& passes, const std::vector<PassTime>&
     }
 }
 
+Technique techniqueOf(FpsMethod method) {
+    if (method == FpsMethod::Forward) return Technique::Forward;
+    return method == FpsMethod::ForwardPrepass ? Technique::ForwardPrepass : Technique::Deferred;
+}
+
 }  // namespace
+
+const char* name(FpsMethod method) {
+    if (method == FpsMethod::Interleaved) return "interleaved";
+    return method == FpsMethod::Filtered ? "filtered" : name(techniqueOf(method));
+}
 
 double measureFrame(Renderer& renderer, FpsSamples* samples) {
     const auto start = Clock::now();
@@ -35,7 +47,9 @@ double measureFrame(Renderer& renderer, FpsSamples* samples) {
 }
 
 void restartFor(Renderer& renderer, RenderSettings settings, const FpsCell& cell) {
-    settings.technique = cell.technique;
+    settings.technique = techniqueOf(cell.method);
+    settings.interleave = cell.method >= FpsMethod::Interleaved ? kInterleave : 1;
+    settings.filter = cell.method == FpsMethod::Filtered ? Filter::Atrous : Filter::Off;
     settings.castShadows = cell.castShadows;
     settings.vplCount = cell.vplCount;
     renderer.restart(settings);

@@ -35,9 +35,9 @@ void FpsRows::start(const RenderSettings& settings, std::vector<uint32_t> vplCou
     std::sort(vplCounts.begin(), vplCounts.end());
     cells_.clear();
     for (const uint32_t vplCount : vplCounts)
-        for (const Technique technique : {Technique::Forward, Technique::ForwardPrepass, Technique::Deferred}) {
+        for (const FpsMethod method : {FpsMethod::Forward, FpsMethod::ForwardPrepass, FpsMethod::Deferred}) {
             FpsSamples samples;
-            samples.cell = {technique, settings_.castShadows, vplCount};
+            samples.cell = {method, settings_.castShadows, vplCount};
             cells_.push_back(std::move(samples));
         }
     turns_ = kRounds * cells_.size();
@@ -70,7 +70,7 @@ Json toJson(const FpsRows& rows) {
     for (const FpsSamples& samples : rows.cells()) {
         if (samples.wall.empty()) continue;
         const double milliseconds = median(samples.wall);
-        list.push_back({{"technique", name(samples.cell.technique)},
+        list.push_back({{"technique", name(samples.cell.method)},
                         {"shadows", samples.cell.castShadows},
                         {"vpls", samples.cell.vplCount},
                         {"frames", samples.wall.size()},

@@ -55,6 +55,7 @@ void Side::start(const Scene& scene, const RenderSettings& wanted, const SideVie
     } else {
         renderer_.reset();  // before the new one, for its memory
         renderer_ = std::make_unique<Renderer>(*device_, scene, wanted);
+        renderer_->keepDisplay();
         camera_.reset();
     }
     if (!sameCamera(camera_, view.camera)) renderer_->lookThrough(view.camera.value_or(scene.cameras[wanted.camera]));

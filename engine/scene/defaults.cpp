@@ -9,6 +9,7 @@
 namespace manylight {
 namespace {
 
+constexpr float kFurthestLight = 1e4f;  // radii of the scene; a camera further away sees less than a pixel of it
 constexpr float kDefaultFov = 50.0f * shared::kPi / 180.0f;
 
 float halfDiagonal(const Scene& scene) {
@@ -58,7 +59,7 @@ void addMissingLight(Scene& scene) {
     light.name = "default";
     light.position = camera.origin + 0.05f * radius * camera.up;
     // L = albedo / pi * I / d²: an albedo of 0.5 at the distance of the centre reflects the radiance 0.18, mid grey.
-    const float distance = std::max(radius, glm::distance(light.position, center));
+    const float distance = std::clamp(glm::distance(light.position, center), radius, kFurthestLight * radius);
     light.emission = glm::vec3(0.18f / 0.5f * shared::kPi * distance * distance);
     scene.lights.push_back(std::move(light));
     scene.warnings.add("scenes without a light: given a point light near the camera");

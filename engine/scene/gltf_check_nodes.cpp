@@ -1,4 +1,5 @@
 #include "engine/scene/gltf_check.h"
+#include "shaders/shared/constants.h"
 
 #include <vector>
 
@@ -68,6 +69,8 @@ void checkLight(const JsonView& light, Warnings& warnings) {
     const double inner = spot.has("innerConeAngle") ? spot.at("innerConeAngle").number() : 0.0;
     if (spot.has("innerConeAngle") && (inner < 0.0 || (spot.has("outerConeAngle") && inner > outer)))
         spot.at("innerConeAngle").failExpected("an angle from zero to outerConeAngle");
+    if (outer > double{shared::kPi})
+        warnings.add("spot lights shine to all sides: outerConeAngle beyond pi", spot.path());
 }
 
 void checkLights(const JsonView& root, Warnings& warnings) {

@@ -4,6 +4,7 @@
 #include "engine/scene/gltf_instances.h"
 #include "engine/scene/gltf_node_transforms.h"
 #include "engine/scene/gltf_skins.h"
+#include "shaders/shared/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +40,9 @@ void addLight(const GltfFile& gltf, int index, const glm::dmat4& sceneFromNode, 
     const glm::dvec3 colour =
         source.color.size() == 3 ? glm::dvec3(source.color[0], source.color[1], source.color[2]) : glm::dvec3(1.0);
     light.emission = source.intensity * colour;
-    light.cosBeam = std::cos(std::min(source.spot.innerConeAngle, source.spot.outerConeAngle));
-    light.cosCutoff = std::cos(source.spot.outerConeAngle);
+    const double cutoff = std::min(source.spot.outerConeAngle, double{shared::kPi});
+    light.cosBeam = std::cos(std::min(source.spot.innerConeAngle, cutoff));
+    light.cosCutoff = std::cos(cutoff);
     if (source.range > 0.0) light.range = source.range;
     scene.lights.push_back(std::move(light));
 }

@@ -1,5 +1,6 @@
 #include "engine/scene/scene_plan.h"
 
+#include "engine/core/check.h"
 #include "engine/core/error.h"
 #include "engine/scene/instances.h"
 #include "engine/scene/mipmaps.h"
@@ -13,6 +14,8 @@
 
 namespace manylight {
 namespace {
+
+constexpr const char* kNotAskedFor = "not asked for";
 
 /// What is not left out whatever the scene needs.
 struct Kept {
@@ -235,10 +238,19 @@ ScenePlan planScene(const Scene& scene, bool everything, const std::string& keep
                                                       : "there is no light",
                               0, false});
 
-    plan.pixelVariance = decide(plan, kept, false, "variance of pixels", "not asked for");
-    plan.cutOff = decide(plan, kept, false, "picture of the light cut off", "not asked for");
+    plan.pixelVariance = decide(plan, kept, false, kPlanPixelVariance, kNotAskedFor);
+    plan.cutOff = decide(plan, kept, false, kPlanCutOff, kNotAskedFor);
+    plan.display = decide(plan, kept, false, kPlanDisplay, kNotAskedFor);
     refuseUnknown(plan, keeps);
     return plan;
+}
+
+void settle(ScenePlan& plan, const std::string& what, bool isAskedFor) {
+    const auto found = std::ranges::find(plan.decisions, what, &PlanDecision::what);
+    MANYLIGHT_CHECK(found != plan.decisions.end(), "settle() of {}", what);
+    if (found->leftOut == !isAskedFor) return;
+    found->leftOut = !isAskedFor;
+    found->reason = isAskedFor ? "asked for" : kNotAskedFor;
 }
 
 std::string explain(const ScenePlan& plan) {

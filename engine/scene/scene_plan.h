@@ -10,6 +10,11 @@
 
 namespace manylight {
 
+// Left out until they are asked for.
+inline constexpr const char* kPlanPixelVariance = "variance of pixels";
+inline constexpr const char* kPlanCutOff = "picture of the light cut off";
+inline constexpr const char* kPlanDisplay = "displayed picture after every frame";
+
 /// One thing left out (or kept) and why; `savedBytes` of device memory.
 struct PlanDecision {
     std::string what;
@@ -38,12 +43,16 @@ struct ScenePlan {
     bool lightPaths = true;         // any light at all, and surfaces to send it to
     bool pixelVariance = true;      // how far the frames of every pixel scatter
     bool cutOff = true;             // deferred: a picture of what the bound on the geometry term takes
+    bool display = true;            // the displayed picture after every frame, not only when it is asked for
     std::vector<PlanDecision> decisions;
 };
 
 /// `everything` (--plan off) leaves nothing out; the picture is the same. `keeps` (--plan-keeps) names one thing that
 /// is kept though the scene does not need it: throws Error if there is no such decision.
 ScenePlan planScene(const Scene& scene, bool everything = false, const std::string& keeps = {});
+
+/// Of what is left out until it is asked for: it is, or it no longer is.
+void settle(ScenePlan& plan, const std::string& what, bool isAskedFor);
 
 /// A mesh that could be shared, and how often it is shown.
 struct RepeatedMesh {

@@ -123,7 +123,8 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
                       {sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::Upload}),
           {}},
       statusBuffer_(makeStatusBuffer(device)),
-      keepsVariance_(plan_.pixelVariance) {
+      keepsVariance_(plan_.pixelVariance),
+      keepsDisplay_(plan_.display) {
     resolve(settings);
     makeTargets();
 }
@@ -164,7 +165,10 @@ void Renderer::setDisplay(float exposure, ToneCurve curve) {
     const bool isNew = exposure != settings_.exposure || curve != settings_.toneCurve;
     settings_.exposure = exposure;
     settings_.toneCurve = curve;
-    if (!isNew || frameCount_ == 0) return;
+    if (isNew && keepsDisplay_ && frameCount_ > 0) makeDisplay();
+}
+
+void Renderer::makeDisplay() {
     FrameGraph graph;
     const SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
     graph.keep(declareDisplay(graph, scene, radiance_.sum(graph), frameCount_));
@@ -288,7 +292,6 @@ void Renderer::measureLitArea() {
 }
 
 void Renderer::makeTargets() {
-    constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     const uint32_t width = settings_.width;
     const uint32_t height = settings_.height;
     display_ = {};
@@ -296,7 +299,13 @@ void Renderer::makeTargets() {
     cutOff_ = {};
     radiance_ = Accumulator(device_, "radiance", width, height, keepsVariance_);
     if (keepsCutOff_ || plan_.cutOff) cutOff_ = Accumulator(device_, "cut off", width, height, false);
-    display_.texture = gpu::Texture(device_, "display", {VK_FORMAT_R8G8B8A8_UNORM, width, height, kUsage});
+    if (keepsDisplay_) makeDisplayTarget();
+}
+
+void Renderer::makeDisplayTarget() {
+    constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    display_.texture =
+        gpu::Texture(device_, "display", {VK_FORMAT_R8G8B8A8_UNORM, settings_.width, settings_.height, kUsage});
 }
 
 void Renderer::writeFrameConstants() {
@@ -341,6 +350,8 @@ void Renderer::writeFrameConstants() {
     frame.environmentSize = gpuScene_.environmentSize;
     frame.environmentCellSide = gpuScene_.environmentCellSide;
     frame.environmentTurn = gpuScene_.environmentTurn;
+    // Samples that move inside the pixel average it themselves.
+    frame.pixelShare = settings_.jitter ? 1.0f / static_cast<float>(frameCount_ + 1) : 1.0f;
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
 }
 
@@ -379,8 +390,7 @@ FrameGraph Renderer::declareFrame() {
 
     const ImageHandle sum = radiance_.add(graph, scene, result.radiance, frameCount_);
     if (cutOff_.exists() && result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
-    const ImageHandle display = declareDisplay(graph, scene, sum, frameCount_ + 1);
-    graph.keep(display);
+    graph.keep(keepsDisplay_ ? declareDisplay(graph, scene, sum, frameCount_ + 1) : sum);
     addStatusReadback(graph, scene);
     return graph;
 }
@@ -421,6 +431,7 @@ void Renderer::tuneGather(const Execution& execution) {
 
 void Renderer::keepVariance(bool keeps) {
     keepsVariance_ = keeps || plan_.pixelVariance;
+    settle(plan_, kPlanPixelVariance, keepsVariance_);
     makeTargets();
     frameCount_ = 0;
 }
@@ -429,6 +440,7 @@ void Renderer::keepCutOff(bool keeps) {
     if (keeps && settings_.technique != Technique::Deferred)
         failUsage("what the bound cuts off is known to --technique deferred only");
     keepsCutOff_ = keeps;
+    settle(plan_, kPlanCutOff, keeps || plan_.cutOff);
     makeTargets();
     frameCount_ = 0;
 }
@@ -449,9 +461,22 @@ double Renderer::relativeStandardError() {
     return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
 }
 
+void Renderer::keepDisplay() {
+    if (!display_.texture.exists()) makeDisplayTarget();
+    keepsDisplay_ = true;
+    settle(plan_, kPlanDisplay, true);
+}
+
+PhysicalImage& Renderer::display() {
+    if (keepsDisplay_) return display_;
+    MANYLIGHT_CHECK(frameCount_ > 0u, "display()");
+    if (!display_.texture.exists()) makeDisplayTarget();
+    makeDisplay();
+    return display_;
+}
+
 std::vector<uint8_t> Renderer::displayRgba() {
-    MANYLIGHT_CHECK(frameCount_ > 0u, "displayRgba()");
-    const std::vector<std::byte> bytes = readPhysical(device_, display_);
+    const std::vector<std::byte> bytes = readPhysical(device_, display());
     std::vector<uint8_t> rgba(bytes.size());
     std::memcpy(rgba.data(), bytes.data(), bytes.size());
     return rgba;

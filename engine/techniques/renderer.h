@@ -50,7 +50,9 @@ class Renderer {
     /// The picture as displayed: exposure, tone curve; RGB bytes as sRGB-encoded values / 255, row 0 at the top.
     std::vector<uint8_t> displayRgba();
     /// The same on the device, RGBA8_UNORM, for who presents it: valid until the next restart().
-    PhysicalImage& display() { return display_; }
+    PhysicalImage& display();
+    /// From the next frame on, each makes its displayed picture; otherwise the two above make it when they are called.
+    void keepDisplay();
     /// From the next frame on, keeps a copy of the VPL list that vpls() reads.
     void keepVpls() { keepsVpls_ = true; }
     /// Restarts with, or without, a record of how far frames scatter: see varianceOfMean().
@@ -94,6 +96,8 @@ class Renderer {
     void resolve(const RenderSettings& settings);
     void measureLitArea();
     void makeTargets();
+    void makeDisplayTarget();
+    void makeDisplay();
     void writeFrameConstants();
     void chooseGBuffer();
     FrameGraph declareFrame();
@@ -127,6 +131,7 @@ class Renderer {
     bool keepsVpls_ = false;
     bool keepsVariance_ = false;
     bool keepsCutOff_ = false;
+    bool keepsDisplay_ = false;
     GatherTuner gatherTuner_;
 };
 

@@ -38,7 +38,7 @@ vec2 footprintOfPixel(TriangleRecord t, vec2 barycentrics, vec3 direction) {
     const vec3 toSurface = positionAt(t, barycentrics) - frame.cameraPosition;
     const float distance2 = dot(toSurface, toSurface) / dot(along, along);
     const float pixelArea = 4.0 * length(cross(frame.cameraRight, frame.cameraDown)) / float(frame.imageSize.x * frame.imageSize.y);
-    const float share = pixelArea * distance2 / max(abs(dot(twiceArea, along)), 1e-30);
+    const float share = frame.pixelShare * pixelArea * distance2 / max(abs(dot(twiceArea, along)), 1e-30);
     return share * vec2(uvAreaOf(t.place, 0u), kUvSets > 1u ? uvAreaOf(t.place, 1u) : 0.0);
 }
 

@@ -38,6 +38,7 @@ struct FrameConstants {
     uvec2 environmentSize;  // of the map, texels
     uint environmentCellSide;
     float environmentTurn;
+    float pixelShare;  // of a pixel's area, that textures are averaged over
 };
 
 MANYLIGHT_SHARED_END

@@ -10,14 +10,14 @@ namespace {
 
 constexpr Technique kTechniques[] = {Technique::Deferred, Technique::Forward, Technique::PathTracer};
 
-/// A floor in black and white squares, lit from straight above, so that white has the radiance 1.
-Scene checkeredFloor(uint32_t texels, float repeats) {
+/// A floor in black and white squares of so many texels, lit from straight above, so that white has the radiance 1.
+Scene checkeredFloor(uint32_t texels, float repeats, uint32_t square = 1) {
     Scene scene = floorFromAbove(1.0f);
     Texture texture;
     texture.width = texture.height = texels;
     texture.isMipmapped = true;
     for (uint32_t i = 0; i < texels * texels; ++i) {
-        const uint8_t value = (i + i / texels) % 2 == 0 ? 255 : 0;
+        const uint8_t value = (i % texels / square + i / texels / square) % 2 == 0 ? 255 : 0;
         texture.rgba.insert(texture.rgba.end(), {value, value, value, 255});
     }
     scene.textures.push_back(texture);
@@ -65,6 +65,28 @@ TEST_P(Mipmaps, FromNearAndWithoutThemPicturesAreTheSame) {
     if (GetParam() == Technique::Forward) return;
     settings.plan = false;
     EXPECT_TRUE(sameBits(render(scene, settings), mipmapped));
+}
+
+class MipmapsOverFrames : public GpuTest {};
+
+TEST_F(MipmapsOverFrames, TheMeanIsThatOfTheTextureItself) {
+    Scene scene = checkeredFloor(32, 1.3f, 8);  // squares of three pixels, 2.6 texels each
+    for (const Technique technique : {Technique::Deferred, Technique::PathTracer}) {
+        SCOPED_TRACE(name(technique));
+        RenderSettings settings = lampOnly(technique);
+        settings.jitter = true;
+        scene.textures[0].isMipmapped = false;
+        const Image texture = render(scene, settings, 64);
+        scene.textures[0].isMipmapped = true;
+        const auto meanDistance = [&](uint32_t frames) {
+            const Image picture = render(scene, settings, frames);
+            double sum = 0.0;
+            for (size_t i = 0; i < picture.texels.size(); ++i) sum += std::abs(picture.texels[i] - texture.texels[i]);
+            return sum / static_cast<double>(picture.texels.size());
+        };
+        EXPECT_GT(meanDistance(1), 0.05);
+        EXPECT_LT(meanDistance(64), 0.01);
+    }
 }
 
 TEST(MipmapsPacked, OnlyWhereTheyAreAskedForAndOnce) {

@@ -79,6 +79,7 @@ TEST_F(RendererChanges, AnotherCameraGivesThePictureOfASceneThatHasIt) {
 TEST_F(RendererChanges, ExposureIsSeenAtOnceAndCostsNoFrame) {
     const Scene scene = litBox();
     Renderer renderer(device(), scene, bouncing());
+    renderer.keepDisplay();
     renderer.renderFrame();
     const std::vector<uint8_t> before = renderer.displayRgba();
     renderer.setDisplay(1.5f, ToneCurve::Reinhard);

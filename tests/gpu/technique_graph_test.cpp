@@ -18,6 +18,7 @@ std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int b
     settings.interleave = interleave;
     settings.filter = interleave > 1 ? Filter::Atrous : Filter::Off;
     Renderer renderer(device(), scene, settings);
+    renderer.keepDisplay();
     return renderer.dumpGraph().text;
 }
 

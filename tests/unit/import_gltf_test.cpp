@@ -119,6 +119,18 @@ TEST_F(GltfImport, IndicesOutOfRangeDropTheirTriangle) {
     EXPECT_EQ(scene.warnings.count("triangles dropped: vertex index out of range"), 1u);
 }
 
+TEST_F(GltfImport, ConesBeyondASphereAreTheSphere) {
+    json_["extensions"] = Json::parse(R"({"KHR_lights_punctual": {"lights": [
+        {"type": "spot", "intensity": 2, "spot": {"innerConeAngle": 5.2, "outerConeAngle": 5.5}}]}})");
+    json_["nodes"] = Json::parse(R"([{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}])");
+    json_["scenes"][0]["nodes"] = {0, 1};
+    const Scene scene = importJson();
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_EQ(scene.lights[0].cosCutoff, -1.0f);
+    EXPECT_EQ(scene.lights[0].cosBeam, -1.0f);
+    EXPECT_EQ(scene.warnings.count("spot lights shine to all sides: outerConeAngle beyond pi"), 1u);
+}
+
 TEST_F(GltfImport, LightsAndCamerasFollowTheirNodes) {
     json_["extensions"] = Json::parse(R"({"KHR_lights_punctual": {"lights": [
         {"type": "point", "intensity": 10, "color": [1, 0.5, 0], "range": 6},

@@ -183,6 +183,20 @@ TEST(Normalise, DefaultCameraSeesAllOfTheBounds) {
     EXPECT_EQ(scene.warnings.count("scenes without a light: given a point light near the camera"), 1u);
 }
 
+TEST(Normalise, ALightNearACameraOutOfAllReachIsStillFinite) {
+    RawScene raw = oneTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    RawCamera camera;
+    camera.origin = {0, 0, 1e25};
+    camera.forward = {0, 0, -1};
+    camera.up = {0, 1, 0};
+    camera.verticalFov = 1.0;
+    raw.cameras.push_back(camera);
+    const Scene scene = normalise(std::move(raw));
+    ASSERT_EQ(scene.lights.size(), 1u);
+    EXPECT_GT(scene.lights[0].emission.x, 1e6f);
+    EXPECT_LT(scene.lights[0].emission.x, 1e9f);
+}
+
 TEST(Normalise, ListedLightsAreFinalEvenIfThereAreNone) {
     RawScene raw = oneTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     raw.lightsAreFinal = true;

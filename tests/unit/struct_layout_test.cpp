@@ -63,7 +63,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
        MEMBER(FrameConstants, areaEnvironmentProbability),
        MEMBER(FrameConstants, environmentSize),
        MEMBER(FrameConstants, environmentCellSide),
-       MEMBER(FrameConstants, environmentTurn)},
+       MEMBER(FrameConstants, environmentTurn), MEMBER(FrameConstants, pixelShare)},
       sizeof(shared::FrameConstants)}},
     {"LightData",
      {{MEMBER(LightData, position), MEMBER(LightData, intensity), MEMBER(LightData, direction), MEMBER(LightData, kind),
