@@ -87,7 +87,8 @@ def draw_milliseconds(axes, data, shadows, vpls):
     axes.set_xlim(0, 1.06 * vpls[-1])
     axes.set_ylim(bottom=0)
     axes.xaxis.set_major_locator(MaxNLocator(6, integer=True))
-    axes.legend(fontsize=8, frameon=False, loc="upper left")
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(fontsize=8, frameon=False, loc="upper left")
 
 
 def draw_fit(axes, data, technique, shadows, vpls, colour):

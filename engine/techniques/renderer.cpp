@@ -192,6 +192,9 @@ void Renderer::sceneMoved(const RenderSettings& settings) {
 void Renderer::sceneReplaced(const RenderSettings& settings) {
     if (reducedScene_) *reducedScene_ = diffuseOnly(givenScene_);
     plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    settle(plan_, kPlanPixelVariance, keepsVariance_);
+    settle(plan_, kPlanCutOff, keepsCutOff_ || plan_.cutOff);
+    settle(plan_, kPlanDisplay, keepsDisplay_);
     const Bvh bvh = buildTimed(scene_, startupTimes_.bvhBuild);
     gpuScene_ = GpuScene{};  // before the new one, for its memory
     gpuScene_ = uploadTimed(device_, scene_, plan_, bvh, startupTimes_.upload);
