@@ -150,10 +150,17 @@ void Renderer::lookThrough(const Camera& camera) {
     frameCount_ = 0;
 }
 
+void Renderer::planAgain() {
+    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    settle(plan_, kPlanPixelVariance, keepsVariance_);
+    settle(plan_, kPlanCutOff, keepsCutOff_ || plan_.cutOff);
+    settle(plan_, kPlanDisplay, keepsDisplay_);
+}
+
 void Renderer::relight(const Scene& scene) {
     if (reducedScene_) reducedScene_->lights = scene.lights;
     MANYLIGHT_CHECK(scene_.triangles.size() == scene.triangles.size(), "relight() with another scene");
-    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    planAgain();
     chooseGBuffer();
     replaceEmitters(device_, gpuScene_, scene_, plan_);
     frameCount_ = 0;
@@ -183,7 +190,7 @@ void Renderer::sceneMoved(const RenderSettings& settings) {
         reducedScene_->boundsMin = givenScene_.boundsMin;
         reducedScene_->boundsMax = givenScene_.boundsMax;
     }
-    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    planAgain();
     moveInstances(device_, gpuScene_, scene_, plan_);
     litArea_.reset();
     restart(settings);
@@ -191,10 +198,7 @@ void Renderer::sceneMoved(const RenderSettings& settings) {
 
 void Renderer::sceneReplaced(const RenderSettings& settings) {
     if (reducedScene_) *reducedScene_ = diffuseOnly(givenScene_);
-    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
-    settle(plan_, kPlanPixelVariance, keepsVariance_);
-    settle(plan_, kPlanCutOff, keepsCutOff_ || plan_.cutOff);
-    settle(plan_, kPlanDisplay, keepsDisplay_);
+    planAgain();
     const Bvh bvh = buildTimed(scene_, startupTimes_.bvhBuild);
     gpuScene_ = GpuScene{};  // before the new one, for its memory
     gpuScene_ = uploadTimed(device_, scene_, plan_, bvh, startupTimes_.upload);

@@ -95,6 +95,7 @@ class Renderer {
   private:
     void resolve(const RenderSettings& settings);
     void measureLitArea();
+    void planAgain();
     void makeTargets();
     void makeDisplayTarget();
     void makeDisplay();

@@ -2,6 +2,8 @@
 #include "tests/gpu/gpu_test.h"
 #include "tests/gpu/test_scenes.h"
 
+#include <algorithm>
+
 namespace manylight::test {
 namespace {
 
@@ -110,6 +112,25 @@ TEST_F(RendererChanges, WhatTheBoundTakesIsShownAsItIsRecorded) {
 
     settings.technique = Technique::Forward;
     EXPECT_THROW(render(scene, settings), Error) << "forward shading does not know it";
+}
+
+TEST_F(RendererChanges, WhatWasAskedForStaysSoInThePlan) {
+    const Scene scene = litBox();
+    Renderer renderer(device(), scene, bouncing());
+    const auto leavesOut = [&](const char* what) {
+        const auto found = std::ranges::find(renderer.plan().decisions, what, &PlanDecision::what);
+        return found != renderer.plan().decisions.end() && found->leftOut;
+    };
+    EXPECT_TRUE(leavesOut(kPlanDisplay));
+    EXPECT_TRUE(leavesOut(kPlanPixelVariance));
+    renderer.keepDisplay();
+    renderer.keepVariance(true);
+    renderer.relight(scene);
+    EXPECT_FALSE(leavesOut(kPlanDisplay));
+    EXPECT_FALSE(leavesOut(kPlanPixelVariance));
+    EXPECT_TRUE(leavesOut(kPlanCutOff));
+    renderer.keepVariance(false);
+    EXPECT_TRUE(leavesOut(kPlanPixelVariance));
 }
 
 }  // namespace
