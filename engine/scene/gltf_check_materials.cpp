@@ -55,6 +55,7 @@ void checkMaterial(const JsonView& root, const JsonView& material, Warnings& war
     checkTextureInfo(root, material, "emissiveTexture");
     checkTextureInfo(root, material, "normalTexture");
     if (material.has("normalTexture")) checkNumber(material.at("normalTexture"), "scale");
+    if (material.has("doubleSided")) material.at("doubleSided").boolean();
     checkAlpha(material, warnings);
     checkExtensions(material, warnings);
     if (!material.has("pbrMetallicRoughness")) return;

@@ -49,6 +49,7 @@ TEST_F(GltfImport, BrokenReferencesNameFileAndPath) {
         {"/buffers/0/uri", "http://example.org/a.bin", "no relative path"},
         {"/meshes", 7, "meshes: expected an array"},
         {"/meshes/0/primitives", Json::object(), "meshes[0].primitives: expected an array"},
+        {"/materials", Json{{{"doubleSided", 1}}}, "materials[0].doubleSided: expected"},
         {"/materials", Json{{{"emissiveFactor", {1, 2}}}}, "materials[0].emissiveFactor: expected 3 numbers"},
         {"/meshes/0/primitives/0/attributes/COLOR_0", 2, "COLOR_0: expected an accessor of VEC3 or VEC4"},
     };
