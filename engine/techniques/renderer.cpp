@@ -260,15 +260,15 @@ void Renderer::resolve(const RenderSettings& settings) {
 
 void Renderer::chooseGBuffer() {
     std::erase_if(plan_.decisions, [](const PlanDecision& decision) { return decision.what == kRasteriser; });
+    gbufferByRays_ = false;
     if (settings_.technique != Technique::Deferred) return;
     const uint64_t pixels = uint64_t{settings_.width} * settings_.height;
     const bool isCrowded = gpuScene_.triangleCount > kTrianglesPerPixelForRays * pixels;
     const std::string reason = fmt::format("{} triangles for {} pixels, --gbuffer {}", gpuScene_.triangleCount, pixels,
                                            name(settings_.gbuffer));
-    if (settings_.gbuffer == GBufferBy::Auto)
-        settings_.gbuffer = isCrowded && settings_.show != Show::Vpls ? GBufferBy::Rays : GBufferBy::Raster;
-    const bool byRays = settings_.gbuffer == GBufferBy::Rays;
-    plan_.decisions.push_back({.what = kRasteriser, .leftOut = byRays, .reason = reason, .canBeKept = false});
+    gbufferByRays_ = settings_.gbuffer == GBufferBy::Auto ? isCrowded && settings_.show != Show::Vpls
+                                                          : settings_.gbuffer == GBufferBy::Rays;
+    plan_.decisions.push_back({.what = kRasteriser, .leftOut = gbufferByRays_, .reason = reason, .canBeKept = false});
 }
 
 void Renderer::measureLitArea() {
@@ -382,7 +382,7 @@ FrameGraph Renderer::declareFrame() {
                              .subgroupSize = device_.subgroupSize(),
                              .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
-                             .gbufferByRays = settings_.gbuffer == GBufferBy::Rays,
+                             .gbufferByRays = gbufferByRays_,
                              .keepsCutOff = keepsCutOff_ || plan_.cutOff || settings_.show == Show::CutOff};
     TechniqueResult result = declareTechnique(graph, scene, inputs);
     if (settings_.show == Show::Vpls && result.vpls && result.depth)

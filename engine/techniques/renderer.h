@@ -71,7 +71,9 @@ class Renderer {
     /// The VPLs of the last frame, without the padding.
     std::vector<shared::LightData> vpls() const;
 
+    /// As resolved, to be changed and given to restart(); `gbuffer` stays as it was asked for.
     const RenderSettings& settings() const { return settings_; }
+    bool gbufferByRays() const { return gbufferByRays_; }
     const Camera& camera() const { return camera_; }
     const ScenePlan& plan() const { return plan_; }
     const GpuScene& gpuScene() const { return gpuScene_; }
@@ -132,6 +134,7 @@ class Renderer {
     bool keepsVpls_ = false;
     bool keepsVariance_ = false;
     bool keepsCutOff_ = false;
+    bool gbufferByRays_ = false;
     bool keepsDisplay_ = false;
     GatherTuner gatherTuner_;
 };

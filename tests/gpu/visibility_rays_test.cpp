@@ -46,10 +46,23 @@ TEST_F(VisibilityRays, AreTakenWhereTrianglesOutnumberPixels) {
     const auto chosen = [&](uint32_t width, uint32_t height) {
         RenderSettings settings = plainSettings(width, height);
         settings.gbuffer = GBufferBy::Auto;
-        return Renderer(device(), scene, settings).settings().gbuffer;
+        return Renderer(device(), scene, settings).gbufferByRays();
     };
-    EXPECT_EQ(chosen(64, 48), GBufferBy::Raster);
-    EXPECT_EQ(chosen(2, 2), GBufferBy::Rays);
+    EXPECT_FALSE(chosen(64, 48));
+    EXPECT_TRUE(chosen(2, 2));
+}
+
+TEST_F(VisibilityRays, ThatWereChosenAreNotAskedOfOtherTechniques) {
+    const Scene scene = cornellBox();
+    RenderSettings settings = plainSettings(2, 2);
+    settings.gbuffer = GBufferBy::Auto;
+    settings.castShadows = true;
+    Renderer renderer(device(), scene, settings);
+    ASSERT_TRUE(renderer.gbufferByRays());
+    settings = renderer.settings();
+    settings.technique = Technique::PathTracer;
+    EXPECT_NO_THROW(renderer.restart(settings));
+    EXPECT_FALSE(renderer.gbufferByRays());
 }
 
 TEST_F(VisibilityRays, AreRefusedWhereDepthIsNeeded) {
