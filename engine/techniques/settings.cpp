@@ -103,19 +103,20 @@ struct Preset {
     uint32_t interleave;
     uint32_t shadowRays;
     Filter filter;
+    ClampMode clamp;
 };
 
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {400, 4, 4, Filter::Atrous};
+            return {1600, 4, 4, Filter::Atrous, ClampMode::Bound};
         case Quality::Interactive:
-            return {800, 2, 4, Filter::Atrous};
+            return {800, 2, 4, Filter::Atrous, ClampMode::Bound};
         case Quality::Final:
             break;
     }
     const RenderSettings standard;
-    return {standard.vplCount, standard.interleave, standard.shadowRays, standard.filter};
+    return {standard.vplCount, standard.interleave, standard.shadowRays, standard.filter, standard.clamp};
 }
 
 void applyQuality(RenderSettings& settings, Quality quality) {
@@ -124,6 +125,7 @@ void applyQuality(RenderSettings& settings, Quality quality) {
     settings.interleave = preset.interleave;
     settings.shadowRays = preset.shadowRays;
     settings.filter = preset.filter;
+    settings.clamp = preset.clamp;
     settings.quality = quality;
 }
 
