@@ -67,16 +67,20 @@ bool runSeed(Renderer& renderer, ModeRun& run, uint32_t seed, Progress& progress
     return true;
 }
 
-/// What the bound takes, with the same seeds. A few suffice: it is a mean over the whole picture.
-void measureCutOff(Renderer& renderer, ModeRun& run, uint32_t seedCount) {
+/// What the bound takes, with the same seeds. A few suffice: it is a mean over the whole picture. Its frames ask every
+/// VPL, however few the mode asks: seeds for which there is no time are left out.
+void measureCutOff(Renderer& renderer, ModeRun& run, uint32_t seedCount, double secondsPerRun) {
     constexpr uint32_t kMostSeeds = 4;
+    const auto start = Clock::now();
+    const auto hasTime = [&] { return !isInterrupted() && secondsSince(start) < 2.0 * kMostSeeds * secondsPerRun; };
+    const uint32_t frames = run.checkpoints.back().frames;
     RenderSettings settings = run.mode.settings;
     renderer.restart(settings);
     renderer.keepCutOff(true);
-    for (settings.seed = 0; settings.seed < std::min(seedCount, kMostSeeds) && !isInterrupted(); ++settings.seed) {
+    for (settings.seed = 0; settings.seed < std::min(seedCount, kMostSeeds) && hasTime(); ++settings.seed) {
         renderer.restart(settings);
-        while (renderer.frameCount() < run.checkpoints.back().frames && !isInterrupted()) renderer.renderFrame();
-        if (!isInterrupted()) run.cutOff.push_back(meanOf(renderer.cutOff()));
+        while (renderer.frameCount() < frames && hasTime()) renderer.renderFrame();
+        if (renderer.frameCount() == frames) run.cutOff.push_back(meanOf(renderer.cutOff()));
     }
     renderer.keepCutOff(false);
 }
@@ -111,7 +115,8 @@ void runModes(Renderer& renderer, ErrorRun& run, const ErrorOptions& options) {
         for (ModeRun& mode : run.modes)
             if (!runSeed(renderer, mode, seed, progress)) break;
     for (ModeRun& mode : run.modes)
-        if (hasVanishingBound(mode.mode.settings)) measureCutOff(renderer, mode, options.seedCount);
+        if (hasVanishingBound(mode.mode.settings))
+            measureCutOff(renderer, mode, options.seedCount, options.secondsPerRun);
 }
 
 }  // namespace
