@@ -51,10 +51,11 @@ ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs&
     if (settings.interleave == 1 && !resamples)
         return addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, settings.width,
                            settings.height);
-    const bool filters = settings.filter == Filter::Atrous;
+    const bool filters = settings.filter != Filter::Off;
     const ReconstructionSchedule schedule =
         filters ? reconstructionSchedule(settings.interleave, settings.gatherStep, inputs.frame)
                 : ReconstructionSchedule{};
+    const bool visibilityApart = settings.filter == Filter::Ratio && resamples && schedule.filters();
     const GatherGrid grid = gatherGrid(schedule.gatherStep, inputs.frame);
     const ImageHandle gathered = addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
                                                 {.vplCount = lights.vplCount,
@@ -64,12 +65,14 @@ ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs&
                                                  .phase = settings.interleavePhase + grid.turn,
                                                  .subgroupSize = inputs.subgroupSize,
                                                  .forReconstruction = filters,
+                                                 .visibilityApart = visibilityApart,
                                                  .gatherStep = schedule.gatherStep,
                                                  .gridStart = grid.start},
                                                 filters ? std::nullopt : radiance, settings.width, settings.height);
     if (!filters) return gathered;
     return addReconstruction(graph, scene, inputs.plan, gbuffer, gathered, radiance, schedule, settings.interleave,
-                             settings.width, settings.height);
+                             visibilityApart ? std::optional(settings.shadowRays) : std::nullopt, settings.width,
+                             settings.height);
 }
 
 }  // namespace

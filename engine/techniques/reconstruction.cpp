@@ -3,6 +3,7 @@
 #include "engine/passes/reconstruct_atrous.h"
 #include "engine/passes/reconstruct_block.h"
 #include "engine/passes/reconstruct_guide.h"
+#include "engine/passes/reconstruct_visibility.h"
 #include "engine/passes/remodulate.h"
 
 #include <algorithm>
@@ -17,13 +18,19 @@ constexpr uint32_t kFewestFramesOfACycle = 16;
 
 }  // namespace
 
+uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep) {
+    uint32_t step = std::min(gatherStep, interleave);
+    while (interleave % step != 0) --step;
+    return step;
+}
+
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame) {
     const uint32_t cycle = std::max(interleave * interleave, kFewestFramesOfACycle);
     const double share = std::min(1.0, static_cast<double>(cycle) / (frame + 1.0));
     const auto shrunk = static_cast<float>(std::pow(share, 1.0 / 6.0));
     ReconstructionSchedule schedule;
     schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shrunk);
-    if (shrunk == 1.0f) schedule.gatherStep = gatherStep;
+    if (shrunk == 1.0f) schedule.gatherStep = effectiveGatherStep(interleave, gatherStep);
     const uint32_t finest = std::max(interleave / 2, 1u);
     for (uint32_t level = 0; level < kLevels; ++level) {
         const float reach = static_cast<float>(finest << level) * shrunk;
@@ -34,16 +41,23 @@ ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gath
 
 ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
                               const GBuffer& gbuffer, ImageHandle gathered, std::optional<ImageHandle> radiance,
-                              const ReconstructionSchedule& schedule, uint32_t interleave, uint32_t width,
-                              uint32_t height) {
+                              const ReconstructionSchedule& schedule, uint32_t interleave,
+                              std::optional<uint32_t> raysApart, uint32_t width, uint32_t height) {
     ImageHandle light = gathered;
-    if (schedule.blockWidth > 1.0f || !schedule.levels.empty()) {
+    if (schedule.filters()) {
         const ImageHandle guide = addReconstructGuide(graph, scene, plan, gbuffer, width, height);
-        if (schedule.blockWidth > 1.0f)
-            light = addReconstructBlock(graph, scene, guide, light, schedule.blockWidth,
-                                        interleave / schedule.gatherStep, width, height);
+        const uint32_t period = interleave / schedule.gatherStep;
+        UnshadowedAndVisibility factors;
+        if (raysApart)
+            factors = addReconstructVisibility(graph, scene, guide, gathered, schedule.blockWidth, period, *raysApart,
+                                               width, height);
+        else if (schedule.blockWidth > 1.0f)
+            light = addReconstructBlock(graph, scene, guide, gathered, schedule.blockWidth, period, width, height);
+        ImageHandle& filtered = raysApart ? factors.visibility : light;
         for (const ReconstructionStep& level : schedule.levels)
-            light = addReconstructAtrous(graph, scene, guide, light, level.spacing, level.deviations, width, height);
+            filtered =
+                addReconstructAtrous(graph, scene, guide, filtered, level.spacing, level.deviations, width, height);
+        if (raysApart) light = addReconstructProduct(graph, scene, factors, width, height);
     }
     return addRemodulate(graph, scene, plan, gbuffer, light, radiance, width, height);
 }

@@ -17,6 +17,8 @@ struct ReconstructionSchedule {
     float blockWidth = 1.0f;  // pixels; 1: the pixel alone
     uint32_t gatherStep = 1;  // every so many pixels gather, the others borrow; only where the block is whole
     std::vector<ReconstructionStep> levels;
+
+    bool filters() const { return blockWidth > 1.0f || !levels.empty(); }
 };
 
 /// The whole filter for as many frames as a pixel needs to meet all VPLs; then its radius falls with the sixth root of
@@ -24,11 +26,14 @@ struct ReconstructionSchedule {
 /// end nothing is filtered. `frame`: how many there were before.
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame);
 
+/// What --gather-step comes to: the largest number up to it that divides the period.
+uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep);
+
 /// Filters `gathered` (RGBA32F, of addVplResample() for reconstruction) and adds its light to `radiance`, or to
-/// nothing.
+/// nothing. `raysApart`: of a pixel, where `gathered` has visibility apart; otherwise none.
 ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
                               const GBuffer& gbuffer, ImageHandle gathered, std::optional<ImageHandle> radiance,
-                              const ReconstructionSchedule& schedule, uint32_t interleave, uint32_t width,
-                              uint32_t height);
+                              const ReconstructionSchedule& schedule, uint32_t interleave,
+                              std::optional<uint32_t> raysApart, uint32_t width, uint32_t height);
 
 }  // namespace manylight

@@ -232,10 +232,6 @@ void Renderer::resolve(const RenderSettings& settings) {
     const bool needsDeferred = settings.interleave > 1 || settings.shadowRays > 0 || settings.filter != Filter::Off;
     if (settings.technique != Technique::Deferred && needsDeferred)
         failUsage("--interleave, --shadow-rays and --filter: expected --technique deferred");
-    const bool fills = settings.filter != Filter::Off && settings.interleave % settings.gatherStep == 0;
-    if (settings.gatherStep > 1 && !fills)
-        failUsage("--gather-step {}: expected --filter atrous, and an --interleave that it divides",
-                  settings.gatherStep);
     if (settings.technique != Technique::Deferred && settings.gbuffer == GBufferBy::Rays)
         failUsage("--gbuffer rays: expected --technique deferred");
     if (settings.show == Show::Vpls && settings.gbuffer == GBufferBy::Rays)
@@ -251,10 +247,9 @@ void Renderer::resolve(const RenderSettings& settings) {
     settings_.bounceCount = depth < 0 ? static_cast<int>(unlimitedBounces(gpuScene_.meanAlbedo)) : depth;
     const uint64_t mostPaths =
         uint64_t{settings_.vplCount} * pathsPerBatch(static_cast<uint32_t>(*settings_.bounceCount));
-    // Paths cost little beside what their VPLs cost to shade, and a sample from more of them scatters less.
     if (settings.pathCount == 0)
-        settings_.pathCount = static_cast<uint32_t>(
-            std::min({std::max(uint64_t{4} * settings.vplCount, uint64_t{256}), mostPaths, uint64_t{kMostPaths}}));
+        settings_.pathCount =
+            static_cast<uint32_t>(std::min({defaultPathCount(settings.vplCount), mostPaths, uint64_t{kMostPaths}}));
     if (settings_.vplCount > 0 && settings_.pathCount > mostPaths)
         failUsage("--paths {}: expected at most {} for {} VPLs and {} bounces", settings_.pathCount, mostPaths,
                   settings_.vplCount, *settings_.bounceCount);

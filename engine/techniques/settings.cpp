@@ -33,7 +33,8 @@ constexpr std::array kClamps = {Name<ClampMode>{ClampMode::Off, "off"}, Name<Cla
                                 Name<ClampMode>{ClampMode::Compensate, "compensate"}};
 constexpr std::array kMaterials = {Name<Materials>{Materials::Full, "full"},
                                    Name<Materials>{Materials::Diffuse, "diffuse"}};
-constexpr std::array kFilters = {Name<Filter>{Filter::Off, "off"}, Name<Filter>{Filter::Atrous, "atrous"}};
+constexpr std::array kFilters = {Name<Filter>{Filter::Off, "off"}, Name<Filter>{Filter::Atrous, "atrous"},
+                                 Name<Filter>{Filter::Ratio, "ratio"}};
 constexpr std::array kQualities = {Name<Quality>{Quality::Draft, "draft"},
                                    Name<Quality>{Quality::Interactive, "interactive"},
                                    Name<Quality>{Quality::Final, "final"}};
@@ -100,6 +101,7 @@ void parseSize(RenderSettings& settings, const std::string& option, const std::s
 struct Preset {
     uint32_t vplCount;
     uint32_t interleave;
+    uint32_t gatherStep;
     uint32_t shadowRays;
     Filter filter;
     ClampMode clamp;
@@ -109,14 +111,14 @@ struct Preset {
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {1600, 4, 4, Filter::Atrous, ClampMode::Bound, 4};
+            return {6400, 8, 2, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Interactive:
-            return {800, 2, 4, Filter::Atrous, ClampMode::Bound, 4};
+            return {3200, 4, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Final:
             break;
     }
     const RenderSettings standard;
-    return {standard.vplCount, standard.interleave, standard.shadowRays,
+    return {standard.vplCount, standard.interleave, standard.gatherStep,      standard.shadowRays,
             standard.filter,   standard.clamp,      standard.lightSampleCount};
 }
 
@@ -124,6 +126,7 @@ void applyQuality(RenderSettings& settings, Quality quality) {
     const Preset preset = presetOf(quality);
     if (settings.vplCount == presetOf(settings.quality).vplCount) settings.vplCount = preset.vplCount;
     settings.interleave = preset.interleave;
+    settings.gatherStep = preset.gatherStep;
     settings.shadowRays = preset.shadowRays;
     settings.filter = preset.filter;
     settings.clamp = preset.clamp;
@@ -158,7 +161,8 @@ const std::vector<Setting>& settingTable() {
         {{"vpls", "N", "virtual point lights shaded in every frame", 0, 5000},
          [](S& s, T o, T v) { s.vplCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); },
          [](C s) -> Json { return s.vplCount; }},
-        {{"paths", "N", "light paths per frame (0: four for each VPL, and 256 at least)", 0, 20000},
+        {{"paths", "N", "light paths per frame (0: four for each VPL, but from 256 to 6400 unless there are more VPLs)",
+          0, 20000},
          [](S& s, T o, T v) { s.pathCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); },
          [](C s) -> Json { return s.pathCount; }},
         {{"bounces", "N", "surfaces a light path may meet (-1: unlimited)", -1, 16},
@@ -179,14 +183,15 @@ const std::vector<Setting>& settingTable() {
           shared::kMostInterleave},
          [](S& s, T o, T v) { s.interleave = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
          [](C s) -> Json { return s.interleave; }},
-        {{"filter", "off|atrous",
-          "after an interleaved gather or few rays: a filter that stops at edges and fades as frames come in; "
-          "deferred"},
+        {{"filter", "off|atrous|ratio",
+          "after an interleaved gather or few rays: a filter that stops at edges and fades as frames come in, of "
+          "light, or "
+          "of the share of it that its few rays say arrives; deferred"},
          [](S& s, T o, T v) { s.filter = parseName(kFilters, o, v); },
          [](C s) -> Json { return name(s.filter); }},
         {{"gather-step", "N",
-          "with --filter: every N-th pixel along x and y gathers, and those that see what it does not; for the first "
-          "frames; N divides --interleave",
+          "with --filter, in the first frames: every N-th pixel along x and y gathers, and those that see what it does "
+          "not; where N does not divide --interleave, the next lower number that does",
           1, 4},
          [](S& s, T o, T v) { s.gatherStep = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
          [](C s) -> Json { return s.gatherStep; }},

@@ -3,6 +3,7 @@
 
 #include "engine/core/report.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,6 +37,7 @@ enum class Materials : uint8_t {
 enum class Filter : uint8_t {
     Off,
     Atrous,  // edge-avoiding wavelet after an interleaved or resampled gather; fades as frames come in
+    Ratio,   // the same of the share of the light that arrives, times the light as if nothing were between
 };
 
 enum class Quality : uint8_t { Draft, Interactive, Final };
@@ -61,18 +63,18 @@ struct RenderSettings {
     uint32_t width = 0;  // pixels; 0: as the scene's camera says, else 512 x 384
     uint32_t height = 0;
     uint32_t vplCount = 800;         // VPLs shaded in every frame; 0: none
-    uint32_t pathCount = 0;          // light paths per frame; 0: four for each VPL, and 256 at least
+    uint32_t pathCount = 0;          // light paths per frame; 0: defaultPathCount() of the VPLs
     std::optional<int> bounceCount;  // surfaces a light path may meet; empty: the scene's max_depth; -1: unlimited
     bool russianRoulette = true;
     bool castShadows = true;
-    uint32_t shadowRays = 0;          // of a pixel for all its VPLs, drawn by what they would give; 0: one for each
-    uint32_t interleave = 1;          // n: a pixel gathers from one VPL in n * n, neighbours from others
-    uint32_t interleavePhase = 0;     // which, in the first frame
+    uint32_t shadowRays = 0;       // of a pixel for all its VPLs, drawn by what they would give; 0: one for each
+    uint32_t interleave = 1;       // n: a pixel gathers from one VPL in n * n, neighbours from others
+    uint32_t interleavePhase = 0;  // which, in the first frame
     Filter filter = Filter::Off;
-    uint32_t gatherStep = 1;          // with a filter: every so many pixels gather, the others ask them
+    uint32_t gatherStep = 1;           // with a filter: every so many pixels gather, the others ask them
     Quality quality = Quality::Final;  // the preset that set some of these; what is set later counts
-    std::optional<float> clampBound;  // c of the bound; empty: as suits the mode
-    uint32_t lightSampleCount = 16;   // points on area lights and the environment per frame
+    std::optional<float> clampBound;   // c of the bound; empty: as suits the mode
+    uint32_t lightSampleCount = 16;    // points on area lights and the environment per frame
     uint32_t seed = 0;
     uint32_t camera = 0;             // index into the scene's cameras
     float exposure = 0.0f;           // stops
@@ -123,6 +125,12 @@ void applySettings(RenderSettings& settings, const Json& json, const std::string
 
 /// All settings, for the run report and the EXR's attributes.
 Json toJson(const RenderSettings& settings);
+
+/// Four for each VPL, but at least 256, and 6400 at most or one for each: paths cost little beside what their VPLs cost
+/// to shade, and a sample from more of them scatters less; of many VPLs each path gives several.
+constexpr uint64_t defaultPathCount(uint64_t vplCount) {
+    return std::max({std::min(4 * vplCount, uint64_t{6400}), vplCount, uint64_t{256}});
+}
 
 /// "Unlimited" light paths end between these two, the earlier the darker the scene; the paths cut off are reported.
 inline constexpr uint32_t kUnlimitedBounces = 64;

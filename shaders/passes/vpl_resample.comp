@@ -21,6 +21,7 @@ layout(constant_id = 12) const bool kAddToRadiance = false;
 layout(constant_id = 13) const uint kRays = 4u;  // per pixel; 0: one for each VPL
 layout(constant_id = 40) const bool kForReconstruction = false;
 layout(constant_id = 41) const int kGatherStep = 1;
+layout(constant_id = 42) const bool kVisibilityApart = false;
 
 layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
@@ -72,12 +73,16 @@ float weight(Receiver receiver, vec3 share) {
     return dot(share, isAlike ? vec3(1.0) : receiver.bsdf.diffuse);
 }
 
-float sumOfWeights(Receiver receiver) {
+float sumOfWeights(Receiver receiver, out vec3 unshadowed) {
     float sum = 0.0;
+    unshadowed = vec3(0.0);
     for (uint base = 0u; base < subsetSize; base += kVplBlock) {
         loadBlockOfSubset(base);
-        for (uint i = 0u; i < kVplBlock; ++i)
-            sum += weight(receiver, shareOfVpl(receiver, vplOfBlock(i), i, frame.geometryBound));
+        for (uint i = 0u; i < kVplBlock; ++i) {
+            const vec3 share = shareOfVpl(receiver, vplOfBlock(i), i, frame.geometryBound);
+            unshadowed += share;
+            sum += weight(receiver, share);
+        }
     }
     return sum;
 }
@@ -131,6 +136,24 @@ vec3 sumOfDrawn(Receiver receiver, float total, uint drawn[kMostShadowRays], out
     return sum;
 }
 
+// Light for the filter, and its standard error.
+vec4 together(Receiver receiver, vec3 sum, float error) {
+    return float(subsetStep) * vec4(demodulated(receiver, sum), brightness(demodulated(receiver, vec3(error))));
+}
+
+// Light without visibility, and the share of it that arrives.
+vec4 apart(Receiver receiver, vec3 unshadowed, vec3 sum) {
+    const float whole = brightness(unshadowed);
+    return vec4(float(subsetStep) * demodulated(receiver, unshadowed), whole > 0.0 ? min(brightness(sum) / whole, 1.0) : 0.0);
+}
+
+// The same of two stretches of the list.
+vec4 apartWith(vec4 before, vec4 light) {
+    const float whole = brightness(before.rgb) + brightness(light.rgb);
+    const float first = whole > 0.0 ? brightness(before.rgb) / whole : 0.0;
+    return vec4(before.rgb + light.rgb, mix(light.a, before.a, first));
+}
+
 void main() {
     // No early return: every lane holds a VPL for the others.
     const uvec2 tile = gl_WorkGroupID.xy + uvec2(0u, push.firstTileRow);
@@ -145,11 +168,12 @@ void main() {
     if (!subgroupAny(gathers)) subsetSize = 0u;
 
     vec3 sum;
+    vec3 unshadowed = vec3(0.0);
     float error = 0.0;
     if (kRays == 0u) {
         sum = sumOfAll(receiver);
     } else {
-        const float total = sumOfWeights(receiver);
+        const float total = sumOfWeights(receiver, unshadowed);
         const uint seed = pixelSeed(frame.seed, pixel);
         uint drawn[kMostShadowRays];
         drawVpls(receiver, total, sample2d(frame.frame, seed, kDimensionResampling + push.firstVpl).x, drawn);
@@ -159,12 +183,12 @@ void main() {
 
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     if (kForReconstruction) {
-        vec4 light = float(subsetStep) * vec4(demodulated(receiver, sum), brightness(demodulated(receiver, vec3(error))));
+        vec4 light = kVisibilityApart ? apart(receiver, unshadowed, sum) : together(receiver, sum, error);
         if (!gathers) {
             light = vec4(0.0, 0.0, 0.0, -1.0);
         } else if (kAddToRadiance) {
             const vec4 before = imageLoad(radianceImage, pixel);
-            light = vec4(before.rgb + light.rgb, length(vec2(before.a, light.a)));
+            light = kVisibilityApart ? apartWith(before, light) : vec4(before.rgb + light.rgb, length(vec2(before.a, light.a)));
         }
         imageStore(radianceImage, pixel, light);
         return;

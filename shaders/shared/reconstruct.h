@@ -16,6 +16,12 @@ struct BlockPush {
     float period;  // n
 };
 
+struct VisibilityPush {
+    float width;   // as of BlockPush
+    float period;
+    float rays;    // that a pixel has sent
+};
+
 struct AtrousPush {
     int spacing;       // of the taps, pixels
     float deviations;  // how far apart two pixels may be in brightness

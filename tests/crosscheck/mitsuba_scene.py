@@ -106,8 +106,11 @@ def sensor(scene, size):
             "far_clip": 2 * farthest, "to_world": view, "film": film, "sampler": {"type": "independent"}}
 
 
-def load(scene, size, max_depth, folder, materials):
-    entries = {"type": "scene", "integrator": {"type": "path", "max_depth": max_depth}, "sensor": sensor(scene, size)}
+def load(scene, size, max_depth, folder, materials, aovs=None):
+    integrator = {"type": "path", "max_depth": max_depth}
+    if aovs is not None:
+        integrator = {"type": "aov", "aovs": aovs, "path": integrator}
+    entries = {"type": "scene", "integrator": integrator, "sensor": sensor(scene, size)}
     for i, part in enumerate(scene.parts):
         entries[f"part{i}"] = shape(part, folder / f"part{i}.ply", materials)
     for i, light in enumerate(scene.lights):

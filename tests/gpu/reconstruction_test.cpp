@@ -49,6 +49,21 @@ TEST_F(Reconstruction, AFourthOfThePixelsSpeaksForTheirNeighbours) {
     EXPECT_NEAR(meanOf(coarse), meanOf(all), 0.02 * meanOf(all));
 }
 
+// Not light is filtered here, but how much of it arrives.
+TEST_F(Reconstruction, ByVisibilityBringsBackWhatAllVplsGive) {
+    const Scene scene = cornellBox();
+    const Image all = render(scene, interleaved(1, Filter::Off), 1);
+    RenderSettings settings = interleaved(4, Filter::Off);
+    settings.shadowRays = 4;
+    const Image some = render(scene, settings, 1);
+    settings.filter = Filter::Ratio;
+    const Image ratio = render(scene, settings, 1);
+    EXPECT_LT(meanSquaredDifference(ratio, all), 0.1 * meanSquaredDifference(some, all));
+    EXPECT_NEAR(meanOf(ratio), meanOf(all), 0.03 * meanOf(all));  // shadows are blurred: brighter here, darker there
+    settings.gatherStep = 2;
+    EXPECT_NEAR(meanOf(render(scene, settings, 1)), meanOf(all), 0.05 * meanOf(all));  // and half of the period's pixels
+}
+
 // Of few rays likewise; and textures stay sharp, as light is filtered without what surfaces make of it.
 TEST_F(Reconstruction, KeepsTexturesSharp) {
     const Scene scene = patternedRoom();
@@ -92,6 +107,8 @@ TEST(ReconstructionSchedule, VanishesInTheEnd) {
     EXPECT_TRUE(last.levels.empty());
     EXPECT_EQ(first.gatherStep, 2u);
     EXPECT_EQ(last.gatherStep, 1u);
+    EXPECT_EQ(effectiveGatherStep(6, 4), 3u);
+    EXPECT_EQ(effectiveGatherStep(1, 2), 1u);
 }
 
 }  // namespace

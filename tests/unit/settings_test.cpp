@@ -76,6 +76,14 @@ TEST(Settings, PresetsGiveWayToWhatIsGivenBesideThem) {
     }
 }
 
+TEST(Settings, PathsByDefaultAreSeveralForEachVplAsLongAsThereAreFew) {
+    EXPECT_EQ(defaultPathCount(0), 256u);
+    EXPECT_EQ(defaultPathCount(10), 256u);
+    EXPECT_EQ(defaultPathCount(800), 3200u);
+    EXPECT_EQ(defaultPathCount(5000), 6400u);
+    EXPECT_EQ(defaultPathCount(1u << 20), 1u << 20);
+}
+
 TEST(ScenePlan, LeavesOutWhatNoTriangleUsesAndSaysWhy) {
     Scene scene;
     scene.vertices.resize(3);

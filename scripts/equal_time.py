@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Error at equal time of Manylight, its path tracer, Mitsuba 3's, and the latter with Open Image Denoise.
+
+    python3 -m venv venv && venv/bin/pip install mitsuba numpy pyoidn
+    venv/bin/python scripts/equal_time.py --programs build/release/bin cornell_box.json=reference.exr
+
+Surfaces are Lambertian for all. Each renders 1, 2, 4, ... samples of every pixel until the budget is spent, once before to warm
+up; errors are against the reference, by manylight-compare, without pixels that see a lamp or are next to one that does.
+Between those times they are interpolated on logarithmic scales. Building the scene and compiling are not counted. Ends with 77 where
+Mitsuba is missing; without pyoidn its column is left out.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tests" / "crosscheck"))
+try:
+    import mitsuba_scene
+    import numpy as np
+except ImportError as error:
+    print(f"equal_time.py: skipped: {error}; pip install mitsuba numpy", file=sys.stderr)
+    sys.exit(77)
+import scene_description
+
+try:
+    import pyoidn
+except ImportError:
+    pyoidn = None
+
+OURS = {"draft": ["--quality", "draft"], "path tracer": ["--technique", "path-tracer"]}
+BRIGHTER_IS_A_LAMP = 4.0  # times the 99th percentile of the reference
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--programs", type=pathlib.Path, required=True, help="folder of the manylight programs")
+    parser.add_argument("--seconds", default="0.5,1,2,4,8", help="times to compare at")
+    parser.add_argument("--json", type=pathlib.Path, help="all that was measured")
+    parser.add_argument("scenes", nargs="+", metavar="SCENE=REFERENCE.exr")
+    arguments = parser.parse_args()
+    arguments.times = [float(number) for number in arguments.seconds.split(",")]
+    return arguments
+
+
+def write_mask(reference, path):
+    """White where no pixel within one of it is of a lamp."""
+    brightest = reference.max(axis=2)
+    lamp = brightest > BRIGHTER_IS_A_LAMP * np.percentile(brightest, 99)
+    padded = np.pad(lamp, 1)
+    height, width = lamp.shape
+    near = np.zeros_like(lamp)
+    for y in range(3):
+        for x in range(3):
+            near |= padded[y:y + height, x:x + width]
+    mitsuba_scene.write_picture(path, np.repeat(~near[:, :, None], 3, axis=2).astype(np.float64))
+
+
+def errors(arguments, picture, reference, mask):
+    command = [arguments.programs / "manylight-compare", picture, reference, "--mask", mask, "--json"]
+    output = subprocess.run(list(map(str, command)), check=True, capture_output=True, text=True).stdout
+    numbers = json.loads(output)
+    return {"rmse": numbers["rmse"], "flip": numbers["flip"]["mean"]}
+
+
+def our_frames(arguments, scene, settings, frames, picture):
+    """Seconds of that many frames; the first one's excess over the others is compiling."""
+    report = picture.with_suffix(".report")
+    command = [arguments.programs / "manylight-capture", scene, "--materials", "diffuse", "--frames", frames, *settings,
+               "--size", arguments.size, "-o", picture, "--report", report]
+    subprocess.run(list(map(str, command)), check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    seconds = json.loads(report.read_text())["seconds"]
+    if frames == 1:
+        return seconds["first_frame"]
+    return (seconds["frames"] - seconds["first_frame"]) * frames / (frames - 1)
+
+
+def measure_ours(arguments, scene, settings, measure, scratch):
+    """Rows of seconds and errors. A frame's time is known from two, so that the first row is written last."""
+    picture = scratch / "ours.exr"
+    our_frames(arguments, scene, settings, 3, picture)
+    rows = []
+    frames, seconds = 2, 0.0
+    while seconds < max(arguments.times):
+        seconds = our_frames(arguments, scene, settings, frames, picture)
+        rows.append({"frames": frames, "seconds": seconds, **measure(picture)})
+        frames *= 2
+    our_frames(arguments, scene, settings, 1, picture)
+    return [{"frames": 1, "seconds": rows[0]["seconds"] / 2, **measure(picture)}, *rows]
+
+
+def measure_mitsuba(arguments, loaded, measure, scratch, denoises):
+    mi = mitsuba_scene.mi
+    picture = scratch / "theirs.exr"
+    rows = []
+    spp, seconds = 1, 0.0
+    np.array(mi.render(loaded, seed=1000, spp=1))
+    while seconds < max(arguments.times):
+        np.array(mi.render(loaded, seed=2000 + spp, spp=spp))  # a kernel is compiled for every number of samples
+        start = time.perf_counter()
+        pixels = np.array(mi.render(loaded, seed=spp, spp=spp)).astype(np.float32)
+        if denoises:
+            colour, albedo, normal = (np.ascontiguousarray(pixels[:, :, i:i + 3]) for i in (0, 3, 6))
+            pixels = pyoidn.denoise(colour, albedo=np.clip(albedo, 0, 1), normal=normal, hdr=True)
+        seconds = time.perf_counter() - start
+        mitsuba_scene.write_picture(picture, np.asarray(pixels)[:, :, :3])
+        rows.append({"frames": spp, "seconds": seconds, **measure(picture)})
+        spp *= 2
+    return rows
+
+
+def at(rows, seconds, number):
+    """Interpolated in logarithms; None outside of what was measured."""
+    for before, after in zip(rows, rows[1:]):
+        if before["seconds"] <= seconds <= after["seconds"]:
+            share = math.log(seconds / before["seconds"]) / math.log(after["seconds"] / before["seconds"])
+            return math.exp((1 - share) * math.log(before[number]) + share * math.log(after[number]))
+    return None
+
+
+def print_table(title, arguments, modes):
+    print(f"\n{title}")
+    for number in ("rmse", "flip"):
+        print(f"  {number:10}" + "".join(f"{name:>26}" for name in modes))
+        for seconds in arguments.times:
+            values = {name: at(rows, seconds, number) for name, rows in modes.items()}
+            base = values["path tracer"]
+            cells = ["-" if value is None else f"{value:.4g}" + (f" ({value / base:.2f} x)" if base else "")
+                     for value in values.values()]
+            print(f"  {seconds:8} s" + "".join(f"{cell:>26}" for cell in cells), flush=True)
+
+
+def compare(arguments, argument, scratch):
+    path, _, reference = argument.partition("=")
+    path = pathlib.Path(path)
+    pixels = mitsuba_scene.read_picture(reference)
+    arguments.size = f"{pixels.shape[1]}x{pixels.shape[0]}"
+    mask = scratch / "mask.exr"
+    write_mask(pixels, mask)
+
+    def measure(picture):
+        return errors(arguments, picture, reference, mask)
+
+    modes = {name: measure_ours(arguments, path, settings, measure, scratch) for name, settings in OURS.items()}
+    scene, max_depth, _ = scene_description.read(path, scratch)
+    depth = max_depth if max_depth is not None else -1
+    size = [int(number) for number in arguments.size.split("x")]
+    loaded = mitsuba_scene.load(scene, size, depth, scratch, "diffuse")
+    modes["Mitsuba path"] = measure_mitsuba(arguments, loaded, measure, scratch, False)
+    if pyoidn:
+        loaded = mitsuba_scene.load(scene, size, depth, scratch, "diffuse", aovs="albedo:albedo,normal:sh_normal")
+        modes["Mitsuba path, denoised"] = measure_mitsuba(arguments, loaded, measure, scratch, True)
+    print_table(f"{path.stem}, {arguments.size}", arguments, modes)
+    return {"scene": path.stem, "size": arguments.size, "modes": modes}
+
+
+def main():
+    arguments = parse_arguments()
+    mitsuba_scene.choose_variant(None)
+    print(f"Mitsuba {mitsuba_scene.mi.__version__}, {mitsuba_scene.mi.variant()}")
+    results = []
+    for argument in arguments.scenes:
+        with tempfile.TemporaryDirectory() as scratch:
+            results.append(compare(arguments, argument, pathlib.Path(scratch)))
+    if arguments.json:
+        part = arguments.json.with_name(arguments.json.name + ".part")
+        part.write_text(json.dumps(results, indent=1))
+        part.replace(arguments.json)
+
+
+if __name__ == "__main__":
+    main()
