@@ -28,7 +28,9 @@ ImageHandle addShowRays(FrameGraph& graph, const SceneHandles& scene, const Scen
                                         .shadowRays = options.shadowRays,
                                         .interleave = options.interleave,
                                         .phase = options.phase,
-                                        .firstRow = 0};
+                                        .firstRow = 0,
+                                        .gatherStep = options.gatherStep,
+                                        .gridStart = options.gridStart};
         pass.execute([constants, push, width, height](PassContext& context) {
             const ComputeKernel kernel{.shader = "show_rays.comp",
                                        .groupWidth = shared::kVplTileWidth,

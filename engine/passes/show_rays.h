@@ -12,6 +12,8 @@ struct ShowRaysOptions {
     uint32_t interleave = 1;
     uint32_t phase = 0;
     uint32_t subgroupSize = 32;
+    uint32_t gatherStep = 1;
+    glm::uvec2 gridStart{0};
 };
 
 /// Rays to VPLs that the gather would send from every pixel, over the number of VPLs, from black over red and yellow to

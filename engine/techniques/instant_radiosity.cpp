@@ -43,6 +43,12 @@ GatherGrid gatherGrid(uint32_t step, uint32_t frame) {
     return {{place % step, place / step}, frame / (step * step)};
 }
 
+ReconstructionSchedule scheduleOf(const FrameInputs& inputs) {
+    const RenderSettings& settings = inputs.settings;
+    if (settings.filter == Filter::Off) return {};
+    return reconstructionSchedule(settings.interleave, settings.gatherStep, inputs.frame);
+}
+
 /// Every pixel from every VPL, or from some of them: the mean is the same.
 ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
                       const LightsOfFrame& lights, const VplLightOptions& gather, std::optional<ImageHandle> radiance) {
@@ -52,9 +58,7 @@ ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs&
         return addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, settings.width,
                            settings.height);
     const bool filters = settings.filter != Filter::Off;
-    const ReconstructionSchedule schedule =
-        filters ? reconstructionSchedule(settings.interleave, settings.gatherStep, inputs.frame)
-                : ReconstructionSchedule{};
+    const ReconstructionSchedule schedule = scheduleOf(inputs);
     const bool visibilityApart = settings.filter == Filter::Ratio && resamples && schedule.filters();
     const GatherGrid grid = gatherGrid(schedule.gatherStep, inputs.frame);
     const ImageHandle gathered = addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
@@ -89,15 +93,20 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
                 gbuffer.depth, std::nullopt};
 
     const LightsOfFrame lights = addLightsOfFrame(graph, scene, inputs);
-    if (settings.show == Show::Rays)
+    if (settings.show == Show::Rays) {
+        const ReconstructionSchedule schedule = scheduleOf(inputs);
+        const GatherGrid grid = gatherGrid(schedule.gatherStep, inputs.frame);
         return {addShowRays(graph, scene, inputs.plan, gbuffer, lights.vpls,
                             {.vplCount = lights.vplCount,
                              .shadowRays = settings.castShadows ? settings.shadowRays : 0,
                              .interleave = settings.interleave,
-                             .phase = settings.interleavePhase + inputs.frame,
-                             .subgroupSize = inputs.subgroupSize},
+                             .phase = settings.interleavePhase + grid.turn,
+                             .subgroupSize = inputs.subgroupSize,
+                             .gatherStep = schedule.gatherStep,
+                             .gridStart = grid.start},
                             width, height),
                 gbuffer.depth, lights.list()};
+    }
     std::optional<ImageHandle> radiance;
     if (settings.lighting != Lighting::Global)
         radiance =

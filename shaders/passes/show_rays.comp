@@ -6,6 +6,7 @@
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/vpl_list_shuffle.glsl"
 #include "shaders/lib/tile.glsl"
+#include "shaders/lib/gather_grid.glsl"
 #include "shaders/shared/show.h"
 
 layout(local_size_x = kVplGroupSize) in;
@@ -25,9 +26,10 @@ bool givesLight(Receiver receiver, uint i) {
 
 // Of the pixel's subset: see vpl_resample.comp.
 uint countVpls(Receiver receiver, uvec2 pixel) {
-    const uint step = push.interleave * push.interleave;
-    const uvec2 pixelClass = pixel % push.interleave;
-    const uint mine = (pixelClass.y * push.interleave + pixelClass.x + push.phase) % step;
+    const uint period = push.interleave / push.gatherStep;
+    const uint step = period * period;
+    const uvec2 inPeriod = pixel % push.interleave / push.gatherStep;
+    const uint mine = (inPeriod.y * period + inPeriod.x + push.phase) % step;
     uint count = 0u;
     for (uint base = push.firstVpl; base < push.endVpl; base += kVplBlock) {
         loadVplBlock(base);
@@ -42,6 +44,7 @@ void main() {
     const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     uint count = countVpls(readGBuffer(pixel, true).receiver, uvec2(pixel));
+    if (push.gatherStep > 1u && !gathersItself(pixel, int(push.gatherStep), ivec2(push.gridStart))) count = 0u;
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     if (push.firstVpl > 0u) count += uint(imageLoad(radianceImage, pixel).a);
     const uint rays = push.shadowRays == 0u || count == 0u ? count : push.shadowRays;

@@ -29,6 +29,8 @@ struct ShowRaysPush {
     uint interleave;
     uint phase;
     uint firstRow;    // of the band of pixels
+    uint gatherStep;  // as vpl_resample.comp has it
+    uvec2 gridStart;
 };
 
 MANYLIGHT_SHARED_END

@@ -11,14 +11,14 @@ from scene_description import Refused
 
 
 def choose_variant(wanted):
-    """LLVM 16 is the first whose code generator has all that Dr.Jit asks for; without it, the scalar variant."""
+    """LLVM 17 is the first whose code generator has all that Dr.Jit asks for; without it, the scalar variant."""
     if wanted is None:
         libraries = {int(re.search(r"(\d+)", os.path.basename(path))[1]): path
                      for path in glob.glob("/usr/lib/*/libLLVM*-[0-9][0-9].so*") + glob.glob("/usr/lib/*/libLLVM.so.*")}
         newest = max(libraries, default=0)
-        if newest >= 16:
+        if newest >= 17:
             os.environ.setdefault("DRJIT_LIBLLVM_PATH", libraries[newest])
-        wanted = "llvm_ad_rgb" if newest >= 16 else "scalar_rgb"
+        wanted = "llvm_ad_rgb" if newest >= 17 else "scalar_rgb"
     mi.set_variant(wanted)
 
 

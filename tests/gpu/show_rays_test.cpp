@@ -89,5 +89,18 @@ TEST_F(ShowRays, LongListsAreCountedInStretches) {
     EXPECT_NEAR(heatOf(renderer.radiance(), 200), 3.0 * expected / 20000.0, 1e-5);
 }
 
+TEST_F(ShowRays, OneInFourPixelsOfAFloorSpeaksForAll) {
+    const Scene scene = floorAndCeiling();
+    settings_.interleave = 2;
+    settings_.gatherStep = 2;
+    settings_.filter = Filter::Atrous;
+    settings_.shadowRays = 3;
+    const Image image = render(scene, settings_);
+    for (uint32_t y = 0; y < image.height; ++y)
+        for (uint32_t x = 0; x < image.width; ++x)
+            ASSERT_NEAR(heatOf(image, y * image.width + x), x % 2 == 0 && y % 2 == 0 ? 3.0 * 3.0 / 200.0 : 0.0, 1e-5)
+                << x << ", " << y;
+}
+
 }  // namespace
 }  // namespace manylight::test

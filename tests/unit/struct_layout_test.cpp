@@ -136,7 +136,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
     {"ShowRaysPush",
      {{MEMBER(ShowRaysPush, firstVpl), MEMBER(ShowRaysPush, endVpl), MEMBER(ShowRaysPush, vplCount),
        MEMBER(ShowRaysPush, shadowRays), MEMBER(ShowRaysPush, interleave), MEMBER(ShowRaysPush, phase),
-       MEMBER(ShowRaysPush, firstRow)},
+       MEMBER(ShowRaysPush, firstRow), MEMBER(ShowRaysPush, gatherStep), MEMBER(ShowRaysPush, gridStart)},
       sizeof(shared::ShowRaysPush)}},
     {"WindowPicturePush",
      {{MEMBER(WindowPicturePush, size), MEMBER(WindowPicturePush, otherSize), MEMBER(WindowPicturePush, canvas),
