@@ -48,14 +48,27 @@ double largestOf(const TimeHistory& times) {
 
 double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
+/// What the panels themselves cost, and how quickly the picture follows.
+void drawCosts(const ViewState& state, PanelAnswer& answer) {
+    ImGui::Text("panels %.2f ms to build, %.2f ms to draw", state.panelCpu.middle(), state.panelGpu.middle());
+    if (state.latency.isRunning()) {
+        ImGui::TextUnformatted("latency: measuring");
+        return;
+    }
+    if (ImGui::SmallButton("measure latency")) answer.commands.emplace_back("latency");
+    if (state.latency.samples().empty()) return;
+    ImGui::SameLine();
+    ImGui::Text("%.2f frames, %.1f ms", state.latency.medianFrames(), 1e3 * state.latency.medianSeconds());
+}
+
 }  // namespace
 
-void drawTimings(const PanelView& view) {
+void drawTimings(const PanelView& view, PanelAnswer& answer) {
     const TimeHistory& times = view.state.times;
-    const float scale = ImGui::GetFontSize() / 13.0f;
+    const float scale = panelScale();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x - 328 * scale, 8 * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowCollapsed(window.x < 900 * scale, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({window.x - 328 * scale, 8 * scale}, placeWhen(view));
+    ImGui::SetNextWindowCollapsed(window.x < 900 * scale, placeWhen(view));
     if (ImGui::Begin("Times", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
         const double most = largestOf(times);
         ImGui::Text("up to %.1f ms; white: from frame to frame", most);
@@ -67,6 +80,7 @@ void drawTimings(const PanelView& view) {
             ImGui::SameLine();
             ImGui::Text("%7.2f ms  %s", times.mean(pass), times.passes()[pass].c_str());
         }
+        drawCosts(view.state, answer);
         const gpu::Allocator& memory = view.device.allocator();
         ImGui::Text("memory %.1f MiB of %.0f reserved, scene %.1f", mebibytes(memory.bytesInUse()),
                     mebibytes(memory.bytesReserved()), mebibytes(view.main.renderer().gpuScene().totalBytes));

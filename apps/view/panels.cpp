@@ -10,8 +10,6 @@
 namespace manylight {
 namespace {
 
-float textScale() { return ImGui::GetFontSize() / 13.0f; }
-
 /// Pairs of lighting and show that people switch between.
 struct NamedView {
     const char* name;
@@ -116,9 +114,9 @@ void drawComparison(const PanelView& view, PanelAnswer& answer) {
 }
 
 void drawMain(const PanelView& view, PanelAnswer& answer) {
-    const float scale = textScale();
-    ImGui::SetNextWindowPos({8 * scale, 8 * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({300 * scale, 0.85f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_FirstUseEver);
+    const float scale = panelScale();
+    ImGui::SetNextWindowPos({8 * scale, 8 * scale}, placeWhen(view));
+    ImGui::SetNextWindowSize({300 * scale, 0.85f * ImGui::GetIO().DisplaySize.y}, placeWhen(view));
     if (ImGui::Begin("Manylight")) {
         ImGui::PushItemWidth(120 * scale);
         drawState(view, answer);
@@ -160,7 +158,7 @@ void drawDivider(const PanelView& view) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float x = static_cast<float>(view.state.view.divider) * window.x;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddLine({x, 0}, {x, window.y}, IM_COL32(255, 255, 255, 200), 2.0f * textScale());
+    list.AddLine({x, 0}, {x, window.y}, IM_COL32(255, 255, 255, 200), 2.0f * panelScale());
     if (!view.state.view.panel) return;
     const auto label = [&](const RenderSettings& s) {
         return fmt::format("{}, {} VPLs", name(s.technique), s.vplCount);
@@ -174,8 +172,11 @@ void drawDivider(const PanelView& view) {
 
 }  // namespace
 
-void drawKeys() {
-    ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, 8.0f}, ImGuiCond_FirstUseEver, {0.5f, 0.0f});
+int placeWhen(const PanelView& view) { return view.isRescaled ? ImGuiCond_Always : ImGuiCond_FirstUseEver; }
+float panelScale() { return ImGui::GetFontSize() / 13.0f; }
+
+void drawKeys(const PanelView& view) {
+    ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, 8.0f}, placeWhen(view), {0.5f, 0.0f});
     ImGui::Begin("Keys", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
     if (ImGui::BeginTable("keys", 2)) {
         const auto row = [](const char* key, const char* help) {
@@ -201,11 +202,11 @@ PanelAnswer drawPanels(const PanelView& view) {
     if (settings.panel) {
         drawLightHandles(view, answer);
         drawMain(view, answer);
-        if (settings.timings) drawTimings(view);
-        if (!view.fps.cells().empty()) drawFps(view);
+        if (settings.timings) drawTimings(view, answer);
+        if (!view.fps.cells().empty()) drawFps(view, answer);
         drawMessage(view);
     }
-    if (settings.help) drawKeys();
+    if (settings.help) drawKeys(view);
     return answer;
 }
 

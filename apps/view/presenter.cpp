@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include <chrono>
 #include <cstring>
 
 namespace manylight {
@@ -33,6 +34,11 @@ Presenter::Presenter(gpu::Device& device, const Window& window, PresentMode mode
 Presenter::~Presenter() {
     vkDeviceWaitIdle(device_.handle());
     for (const Flight& flight : flights_) vkDestroySemaphore(device_.handle(), flight.available, nullptr);
+}
+
+void Presenter::renewAtlas() {
+    finish();
+    atlas_ = PanelAtlas(device_);
 }
 
 void Presenter::finish() {
@@ -98,13 +104,16 @@ void Presenter::present(const Shown& shown, const ImDrawData& panels) {
     Flight& flight = flights_[next_];
     const Execution last = flight.executor->finish();
     if (!last.passTimes.empty()) passTimes_ = last.passTimes;
+    const auto start = std::chrono::steady_clock::now();
     flight.panels.upload(device_, panels);
+    uploadMilliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const std::optional<uint32_t> index = swapchain_.acquire(flight.available);
     isStale_ = !index.has_value();
     if (isStale_) return;
     flight.executor->submit(declare(shown, flight.panels, swapchain_.image(*index)), flight.available,
                             swapchain_.isDrawn(*index));
     isStale_ = !swapchain_.present(*index);
+    ++presentedFrames_;
     next_ = (next_ + 1) % flights_.size();
 }
 

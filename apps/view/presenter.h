@@ -25,6 +25,8 @@ class Presenter {
 
     /// Draws and presents; does nothing while the window has no pixels.
     void present(const Shown& shown, const ImDrawData& panels);
+    /// After the font has become another.
+    void renewAtlas();
     /// Waits until nothing that was shown is read any more: before pictures are remade.
     void finish();
     /// The window's content as it was presented last, RGBA bytes. At least one frame must have been.
@@ -38,6 +40,9 @@ class Presenter {
     const Swapchain& swapchain() const { return swapchain_; }
     /// GPU times of the passes of the last frame that is done.
     const std::vector<PassTime>& passTimes() const { return passTimes_; }
+    uint64_t presentedFrames() const { return presentedFrames_; }
+    /// Milliseconds that the last frame took to copy what the panels draw.
+    double uploadMilliseconds() const { return uploadMilliseconds_; }
 
   private:
     bool follow(glm::uvec2 size);
@@ -60,6 +65,8 @@ class Presenter {
     size_t next_ = 0;
     bool isStale_ = false;  // the swapchain does not fit the window any more
     std::vector<PassTime> passTimes_;
+    uint64_t presentedFrames_ = 0;
+    double uploadMilliseconds_ = 0.0;
 };
 
 }  // namespace manylight

@@ -46,6 +46,24 @@ TEST_F(RendererChanges, OtherLightsGiveThePictureOfASceneThatHasThem) {
     EXPECT_TRUE(sameBits(frameOf(renderer), render(scene, bouncing())));
 }
 
+TEST_F(RendererChanges, OtherEmissionGivesThePictureOfASceneThatHasIt) {
+    for (const Materials materials : {Materials::Full, Materials::Diffuse}) {
+        Scene scene = litBox();
+        RenderSettings settings = bouncing();
+        settings.materials = materials;
+        Renderer renderer(device(), scene, settings);
+        const Image before = frameOf(renderer);
+        for (const float factor : {0.25f, 0.0f, 3.0f}) {
+            for (size_t i = 0; i < scene.materials.size(); ++i)
+                scene.materials[i].emittedRadiance = factor * litBox().materials[i].emittedRadiance;
+            renderer.relight(scene);
+            const Image changed = frameOf(renderer);
+            EXPECT_FALSE(sameBits(before, changed)) << factor;
+            EXPECT_TRUE(sameBits(changed, render(scene, settings))) << factor;
+        }
+    }
+}
+
 TEST_F(RendererChanges, ASceneThatBecameAnotherGivesItsPicture) {
     Scene scene = litBox();
     RenderSettings settings = bouncing();

@@ -91,6 +91,18 @@ TEST_F(ViewerAnimation, LightsThatWereChangedStayWhereTheyAre) {
     EXPECT_NEAR(jsonOf("moved.json")["lights"][0]["position"][0].get<double>(), -0.8, 1e-5);
 }
 
+TEST_F(ViewerAnimation, ASavedViewHoldsTheMoment) {
+    view("set panel off\nset at 0.61\nkey w 2\nframes 2\ncapture seen.png\nsave-view view.json", "--vpls 12");
+    EXPECT_EQ(jsonOf("view.json")["at"], 0.61);
+    ASSERT_EQ(run(program("capture") + " view.json --frames 2 -o headless.png"), 0) << textOf("output");
+    EXPECT_EQ(largestDifference(imageOf("seen.png"), imageOf("headless.png")), 0);
+    scene_ = "view.json";
+    view("set panel off\nframes 2\ncapture again.png\nopen view.json\nframes 2\ncapture opened.png");
+    EXPECT_EQ(largestDifference(imageOf("seen.png"), imageOf("again.png")), 0);
+    EXPECT_EQ(largestDifference(imageOf("seen.png"), imageOf("opened.png")), 0);
+    EXPECT_EQ(jsonOf("end.json")["animation"]["at"], 0.61);
+}
+
 TEST_F(ViewerAnimation, StillScenesHaveNone) {
     scene_ = std::string(MANYLIGHT_SOURCE_DIR) + "/scenes/cornell_box.json";
     view("key p\nwait 1\nreport still.json", "--vpls 4");

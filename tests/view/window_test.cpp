@@ -78,6 +78,31 @@ TEST_F(ViewerWindow, TakesUpShadersThatChangeAndKeepsThoseThatWorked) {
     EXPECT_EQ(largestDifference(imageOf("still.png"), magenta), 0);
 }
 
+TEST_F(ViewerWindow, GoesOnWhileShadersAreCompiled) {
+    const std::filesystem::path source = std::string(MANYLIGHT_SOURCE_DIR) + "/shaders";
+    std::filesystem::copy(source, folder_ / "shaders", std::filesystem::copy_options::recursive);
+    write("slow/glslangValidator", "#!/bin/sh\nsleep 0.5\nPATH=${PATH#*:}\nexec glslangValidator \"$@\"\n");
+    std::filesystem::permissions(folder_ / "slow/glslangValidator", std::filesystem::perms::all);
+    std::thread developer([&] {
+        for (int i = 0; i < 6000 && !std::filesystem::exists(folder_ / "before.json"); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        const std::string file = "shaders/passes/window_picture.frag";
+        write(file, textOf(file) + "\n");
+        write("changed", "");
+    });
+    environment_ = fmt::format("PATH='{}/slow':$PATH", folder_.string());
+    view(
+        "set panel off\nframes 1\nreport before.json\nwait-for changed\nreport changed.json\nwatch\n"
+        "report after.json",
+        "--vpls 4 --watch-shaders .");
+    developer.join();
+    const double presented = jsonOf("after.json")["frames_presented"].get<double>() -
+                             jsonOf("changed.json")["frames_presented"].get<double>();
+    EXPECT_GE(presented, 5.0) << "frames are shown meanwhile";
+    EXPECT_EQ(jsonOf("after.json")["shader_problem"], "");
+    EXPECT_EQ(jsonOf("after.json")["message"], "window_picture.frag is new");
+}
+
 TEST_F(ViewerWindow, WithoutADisplayItSaysSoAndNamesTheOtherProgram) {
     const std::string command = fmt::format("env -u WAYLAND_DISPLAY DISPLAY= {} {}/scenes/cornell_box.json",
                                             program("view"), MANYLIGHT_SOURCE_DIR);
