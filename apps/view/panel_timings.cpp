@@ -50,7 +50,7 @@ double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20)
 
 /// What the panels themselves cost, and how quickly the picture follows.
 void drawCosts(const ViewState& state, PanelAnswer& answer) {
-    ImGui::Text("panels %.2f ms to build, %.2f ms to draw", state.panelCpu.middle(), state.panelGpu.middle());
+    ImGui::Text("panels %.2f ms to build, %.2f ms to draw", state.shown.panelCpu, state.shown.panelGpu);
     if (state.latency.isRunning()) {
         ImGui::TextUnformatted("latency: measuring");
         return;
@@ -64,7 +64,7 @@ void drawCosts(const ViewState& state, PanelAnswer& answer) {
 }  // namespace
 
 void drawTimings(const PanelView& view, PanelAnswer& answer) {
-    const TimeHistory& times = view.state.times;
+    const TimeHistory& times = view.state.shown.times;
     const float scale = panelScale();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({window.x - 328 * scale, 8 * scale}, placeWhen(view));

@@ -64,25 +64,25 @@ void drawViewSettings(const PanelView& view, bool playback, PanelAnswer& answer)
 
 void drawState(const PanelView& view, PanelAnswer& answer) {
     const ViewState& state = view.state;
-    const RenderSettings& shown = view.main.renderer().settings();
+    const ShownNumbers& shown = state.shown;
     ImGui::Text("%s", state.scene->name.c_str());
-    ImGui::Text("%ux%u, %u VPLs, frame %u", shown.width, shown.height, shown.vplCount, view.main.frameCount());
-    const double milliseconds = state.times.medianTotal();
+    ImGui::Text("%ux%u, %u VPLs, frame %u", shown.size.x, shown.size.y, shown.vplCount, shown.frames);
+    const double milliseconds = shown.times.medianTotal();
     ImGui::Text("%.1f ms, %.1f FPS%s", milliseconds, milliseconds > 0.0 ? 1000.0 / milliseconds : 0.0,
-                state.isMoving ? " (moving)" : "");
+                shown.isMoving ? " (moving)" : "");
     if (ImGui::SmallButton(view.fps.isRunning() ? "stop measuring" : "measure FPS"))
         answer.commands.emplace_back("fps-table");
-    if (state.quality != FrameQuality{})
+    if (shown.quality != FrameQuality{})
         ImGui::Text("budget %.0f ms: %.0f %% of the size, %.1f %% of the VPLs", state.view.budget,
-                    100.0 * state.quality.scale, 100.0 * state.quality.vpls);
+                    100.0 * shown.quality.scale, 100.0 * shown.quality.vpls);
 }
 
 void drawCamera(const PanelView& view, PanelAnswer& answer) {
     const ViewState& state = view.state;
-    const CameraPose& pose = state.motion.pose();
+    const CameraPose& pose = state.shown.pose;
     ImGui::Text("at %.4g %.4g %.4g", pose.origin.x, pose.origin.y, pose.origin.z);
     ImGui::Text("to %.4g %.4g %.4g", pose.target.x, pose.target.y, pose.target.z);
-    ImGui::Text("speed %.3g a second", state.motion.speed());
+    ImGui::Text("speed %.3g a second", state.shown.speed);
     for (size_t i = 0; i < state.scene->cameras.size(); ++i) {
         if (i > 0) ImGui::SameLine();
         const std::string& given = state.scene->cameras[i].name;

@@ -19,6 +19,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kScriptedFrame = 1.0 / 30.0;  // seconds, whatever the clock says
 constexpr double kIdlePoll = 0.05;             // seconds between frames that show nothing new
 constexpr double kMessageSeconds = 6.0;
+constexpr double kNumbersPeriod = 0.25;  // seconds between new numbers in the panels
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -138,6 +139,7 @@ void Viewer::frame() {
     if (reloader_) reloadShaders();
 
     state_.messageSeconds -= seconds;
+    refreshNumbers(seconds);
     for (const std::string& command : showPanels(seconds)) perform(parseCommand(command, "panel"));
     const Clock::time_point start = Clock::now();
     if (!window_.isMinimised()) {
@@ -153,6 +155,23 @@ void Viewer::frame() {
     }
     input_.endFrame();
     ++frames_;
+}
+
+void Viewer::refreshNumbers(double seconds) {
+    secondsSinceNumbers_ += seconds;
+    if (secondsSinceNumbers_ < kNumbersPeriod || !main_.exists()) return;
+    secondsSinceNumbers_ = 0.0;
+    const RenderSettings& settings = main_.renderer().settings();
+    state_.shown = {.times = state_.times,
+                    .panelCpu = state_.panelCpu.mean(),
+                    .panelGpu = presenter_.panelMilliseconds().mean(),
+                    .frames = main_.frameCount(),
+                    .size = {settings.width, settings.height},
+                    .vplCount = settings.vplCount,
+                    .isMoving = state_.isMoving,
+                    .quality = state_.quality,
+                    .pose = state_.motion.pose(),
+                    .speed = state_.motion.speed()};
 }
 
 void Viewer::followScreen() {

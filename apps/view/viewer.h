@@ -33,6 +33,21 @@ struct ViewerOptions {
     TypedSettings viewSettings;
 };
 
+/// Numbers of the frames as the panels show them: not as quickly as they change, so that they can be read, and panels
+/// need not be drawn every frame.
+struct ShownNumbers {
+    TimeHistory times;
+    double panelCpu = 0.0;  // milliseconds
+    double panelGpu = 0.0;
+    uint32_t frames = 0;
+    glm::uvec2 size{0};
+    uint32_t vplCount = 0;
+    bool isMoving = false;
+    FrameQuality quality;
+    CameraPose pose;
+    double speed = 0.0;  // of the camera
+};
+
 /// What the panels tell of; they change it by commands only.
 struct ViewState {
     ViewSettings view;
@@ -46,7 +61,7 @@ struct ViewState {
     FrameQuality quality;
     TimeHistory times;
     RecentValues panelCpu;  // milliseconds of a frame: building, and copying what is drawn
-    RecentValues panelGpu;  // drawing
+    ShownNumbers shown;
     LatencyProbe latency;
     LightHistory lightHistory;
     std::string message;
@@ -78,6 +93,7 @@ class Viewer {
     void followScript();
     void takeInput(double seconds);
     void followScreen();
+    void refreshNumbers(double seconds);
     void reloadShaders();
     void takeShaders(const std::vector<CompiledShader>& compiled);
     void takeLatencyInput();
@@ -142,6 +158,7 @@ class Viewer {
     uint32_t holdFrames_ = 0;        // the script wants the mean of so many; 0: no wish
     std::chrono::steady_clock::time_point lastFrame_;
     double secondsSinceMove_ = 1e9;
+    double secondsSinceNumbers_ = 1e9;
     glm::uvec2 windowSize_{1};         // in pixels, before it was minimised
     CameraMotion motionBefore_;        // the measurement of latency
     bool cameraMovedBefore_ = false;

@@ -105,8 +105,6 @@ void Viewer::present(double since) {
                         .other = isSplit ? &other_.renderer().display() : nullptr,
                         .divider = static_cast<float>(state_.view.divider)},
                        *ImGui::GetDrawData());
-    for (const PassTime& pass : presenter_.passTimes())
-        if (pass.pass == "window_panel") state_.panelGpu.add(pass.milliseconds);
     if (passTimes_.empty()) return;
     const double milliseconds = 1e3 * (since + secondsSince(start));
     passTimes_.insert(passTimes_.end(), presenter_.passTimes().begin(), presenter_.passTimes().end());

@@ -1,10 +1,9 @@
 // A number that is measured every frame, over the last frames.
 #pragma once
 
-#include "engine/core/statistics.h"
-
+#include <algorithm>
 #include <deque>
-#include <vector>
+#include <numeric>
 
 namespace manylight {
 
@@ -17,8 +16,11 @@ class RecentValues {
         if (values_.size() > kMost) values_.pop_front();
     }
     bool empty() const { return values_.empty(); }
-    /// 0 without values.
-    double middle() const { return empty() ? 0.0 : median({values_.begin(), values_.end()}); }
+    /// 0 without values, as the least is.
+    double mean() const {
+        return empty() ? 0.0 : std::accumulate(values_.begin(), values_.end(), 0.0) / static_cast<double>(values_.size());
+    }
+    double least() const { return empty() ? 0.0 : *std::min_element(values_.begin(), values_.end()); }
 
   private:
     std::deque<double> values_;

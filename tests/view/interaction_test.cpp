@@ -41,10 +41,10 @@ int darkColumns(const EncodedImage& with, const EncodedImage& without) {
 
 TEST_F(ViewerInteraction, PanelsFollowTheScaleOfTheScreen) {
     view(
-        "resize 700 300\nset timings off\nframes 1\nwait 2\nscreenshot one.png\nreport one.json\nset panel-scale 2\n"
+        "resize 640 120\nset timings off\nset show normal\nframes 1\nwait 2\nscreenshot one.png\nreport one.json\nset panel-scale 2\n"
         "wait 3\nscreenshot two.png\nreport two.json\nset panel-scale 0\nwait 3\nscreenshot again.png\nset panel off\n"
         "wait 2\nscreenshot none.png",
-        "--vpls 4");
+        "--vpls 4 --frame-limit 1");
     EXPECT_EQ(jsonOf("one.json")["panel"]["scale"], 1.0);
     EXPECT_EQ(jsonOf("two.json")["panel"]["scale"], 2.0);
     const EncodedImage none = imageOf("none.png");
