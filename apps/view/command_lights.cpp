@@ -3,8 +3,8 @@
 
 #include "engine/scene/emission_scale.h"
 
-#include <glm/gtc/constants.hpp>
 #include <imgui.h>
+#include <glm/gtc/constants.hpp>
 
 #include <cmath>
 

@@ -60,7 +60,7 @@ void drawLight(const Light& light, size_t index, const SceneFrame& frame, PanelA
 void drawSurfaceEmitters(const PanelView& view, PanelAnswer& answer) {
     const std::vector<SurfaceEmitter> emitters = surfaceEmitters(*view.state.scene);
     const EmitterTable& table = view.main.renderer().gpuScene().emitterTable;
-    ImGui::Text("%zu emissive surfaces; %u triangles and surroundings shine", emitters.size(), table.areaLightCount);
+    ImGui::Text("%zu emissive materials, %u area lights", emitters.size(), table.areaLightCount);
     for (size_t i = 0; i < emitters.size(); ++i) {
         const glm::vec3 radiance = emitters[i].givenRadiance;
         const glm::vec3 hue = radiance / std::max({radiance.x, radiance.y, radiance.z});
@@ -122,8 +122,7 @@ void drawLightHandles(const PanelView& view, PanelAnswer& answer) {
         const bool isNear = std::hypot(io.MousePos.x - place->x, io.MousePos.y - place->y) <= radius;
         if (isNear && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.WantCaptureMouse) held = i;
         ImGui::GetBackgroundDrawList()->AddCircle(
-            *place, radius, isNear || held == i ? IM_COL32(255, 220, 80, 255) : IM_COL32(255, 255, 255, 140), 16,
-            2.0f);
+            *place, radius, isNear || held == i ? IM_COL32(255, 220, 80, 255) : IM_COL32(255, 255, 255, 140), 16, 2.0f);
     }
     if (!held) return;
     if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return;

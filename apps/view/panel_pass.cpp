@@ -96,19 +96,21 @@ void PanelFrame::upload(gpu::Device& device, const ImDrawData& data) {
 }
 
 ImageHandle PanelFrame::add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle layer, glm::uvec2 size) {
+    PassBuilder clear = graph.addPass(std::string(kPanelPass) + "_clear");
+    layer = clear.write(layer, Access::ColorWrite, VkClearValue{});
+    clear.execute([](PassContext&) {});
     PassBuilder pass = graph.addPass(kPanelPass);
     pass.read(importPhysical(graph, "panel vertices", vertices_), Access::GraphicsStorageRead,
               shared::kBindingPanelVertices)
         .read(importPhysical(graph, "panel indices", indices_), Access::GraphicsStorageRead,
               shared::kBindingPanelIndices)
         .read(importPhysical(graph, "font", atlas.buffer()), Access::GraphicsStorageRead, shared::kBindingPanelAtlas);
-    layer = pass.write(layer, Access::ColorWrite, VkClearValue{});
+    layer = pass.write(layer, Access::ColorBlend);
     pass.execute([this, size, atlasSize = atlas.size()](PassContext& context) {
         for (const Draw& draw : draws_)
             context.draw(
                 {.vertexShader = "window_panel.vert", .fragmentShader = "window_panel.frag", .overBlend = true},
-                draw.indexCount,
-                shared::WindowPanelPush{draw.clip, origin_, scale_, size, atlasSize, draw.firstIndex});
+                draw.indexCount, shared::WindowPanelPush{draw.clip, origin_, scale_, size, atlasSize, draw.firstIndex});
     });
     return layer;
 }

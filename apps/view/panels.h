@@ -15,7 +15,7 @@ struct PanelView {
     gpu::Device& device;
     std::string window;  // the swapchain, in words
     bool hasReference = false;
-    bool isRescaled = false;  // windows go where they went at first
+    bool isRescaled = false;           // windows go where they went at first
     std::optional<size_t>& heldLight;  // by the mouse; kept from frame to frame
 };
 

@@ -52,7 +52,7 @@ void Presenter::finish(Flight& flight) {
     passTimes_ = done.passTimes;
     double panels = 0.0;
     for (const PassTime& pass : passTimes_)
-        if (pass.pass == kPanelPass) panels += pass.milliseconds;
+        if (pass.pass.starts_with(kPanelPass)) panels += pass.milliseconds;
     panelMilliseconds_.add(panels);
 }
 

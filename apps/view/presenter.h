@@ -70,8 +70,8 @@ class Presenter {
     Swapchain swapchain_;
     PanelAtlas atlas_;
     PhysicalImage canvas_;
-    PhysicalImage panelLayer_;              // drawn anew only if it changes
-    std::optional<uint64_t> drawnPanels_;   // fingerprint of what is there
+    PhysicalImage panelLayer_;             // drawn anew only if it changes
+    std::optional<uint64_t> drawnPanels_;  // fingerprint of what is there
     bool hasPanels_ = false;
     PhysicalImage nothing_;  // one pixel, for the other picture where there is none
     std::array<Flight, 2> flights_;

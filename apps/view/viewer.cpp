@@ -41,8 +41,8 @@ Viewer::Start Viewer::load(const ViewerOptions& options) {
     if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
     ViewSettings view;
     for (const auto& [option, value] : options.viewSettings) applyViewSetting(view, option, value);
-    const bool isTimeGiven = std::ranges::find(options.viewSettings, "at", &TypedSettings::value_type::first) !=
-                             options.viewSettings.end();
+    const bool isTimeGiven =
+        std::ranges::find(options.viewSettings, "at", &TypedSettings::value_type::first) != options.viewSettings.end();
     const std::optional<double> time = isTimeGiven ? std::optional(view.at) : std::nullopt;
     Start start{PlayableScene(options.scene, instanceModeFrom(options.instances), time), {}, {}};
     const Scene& scene = start.scene.scene();
@@ -189,7 +189,8 @@ bool Viewer::isDone() const {
     const auto sideIsDone = [&](const Side& side) {
         return !side.isStale(sideView()) && side.frameCount() >= frameLimit();
     };
-    return !state_.isMoving && !fps_.isRunning() && !state_.latency.isRunning() && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
+    return !state_.isMoving && !fps_.isRunning() && !state_.latency.isRunning() && sideIsDone(main_) &&
+           (!needsOther() || sideIsDone(other_));
 }
 
 bool Viewer::isWaiting() const {

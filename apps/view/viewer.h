@@ -159,8 +159,8 @@ class Viewer {
     std::chrono::steady_clock::time_point lastFrame_;
     double secondsSinceMove_ = 1e9;
     double secondsSinceNumbers_ = 1e9;
-    glm::uvec2 windowSize_{1};         // in pixels, before it was minimised
-    CameraMotion motionBefore_;        // the measurement of latency
+    glm::uvec2 windowSize_{1};   // in pixels, before it was minimised
+    CameraMotion motionBefore_;  // the measurement of latency
     bool cameraMovedBefore_ = false;
     Camera cameraBefore_;              // the last input of it
     bool isRescaled_ = false;          // the panels are to be laid out again

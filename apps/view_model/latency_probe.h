@@ -6,8 +6,8 @@
 
 namespace manylight {
 
-/// Pretends inputs at moments spread evenly over a frame, as those of a user are, and waits each time for the frame that
-/// shows what it did. Times are seconds on one clock.
+/// Pretends inputs at moments spread evenly over a frame, as those of a user are, and waits each time for the frame
+/// that shows what it did. Times are seconds on one clock.
 class LatencyProbe {
   public:
     struct Sample {

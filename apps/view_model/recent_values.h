@@ -18,7 +18,8 @@ class RecentValues {
     bool empty() const { return values_.empty(); }
     /// 0 without values, as the least is.
     double mean() const {
-        return empty() ? 0.0 : std::accumulate(values_.begin(), values_.end(), 0.0) / static_cast<double>(values_.size());
+        return empty() ? 0.0
+                       : std::accumulate(values_.begin(), values_.end(), 0.0) / static_cast<double>(values_.size());
     }
     double least() const { return empty() ? 0.0 : *std::min_element(values_.begin(), values_.end()); }
 
