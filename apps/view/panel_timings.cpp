@@ -7,6 +7,8 @@
 namespace manylight {
 namespace {
 
+constexpr double kMostMedians = 4.0;  // that the plot is high
+
 /// Colours that differ from their neighbours: steps of the golden angle around the hues.
 ImU32 colourOf(size_t pass) {
     const float hue = static_cast<float>(pass) * 0.381966f;
@@ -40,10 +42,11 @@ void drawStack(const TimeHistory& times, const ImVec2& size, double most) {
     ImGui::Dummy(size);
 }
 
-double largestOf(const TimeHistory& times) {
+/// Of the plot: a single frame, such as one in which pipelines were compiled, does not make the others vanish.
+double topOf(const TimeHistory& times) {
     double most = 1.0;
     for (const TimeHistory::Frame& frame : times.frames()) most = std::max({most, frame.total, frame.sum()});
-    return most;
+    return std::min(most, std::max(kMostMedians * times.medianTotal(), 1.0));
 }
 
 double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
@@ -70,7 +73,7 @@ void drawTimings(const PanelView& view, PanelAnswer& answer) {
     ImGui::SetNextWindowPos({window.x - 328 * scale, 8 * scale}, placeWhen(view));
     ImGui::SetNextWindowCollapsed(window.x < 900 * scale, placeWhen(view));
     if (ImGui::Begin("Times", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-        const double most = largestOf(times);
+        const double most = topOf(times);
         ImGui::Text("up to %.1f ms; white: from frame to frame", most);
         drawStack(times, {240 * scale, 80 * scale}, most);
         for (size_t pass = times.passes().size(); pass-- > 0;) {
