@@ -159,7 +159,8 @@ void Viewer::frame() {
 
 void Viewer::refreshNumbers(double seconds) {
     secondsSinceNumbers_ += seconds;
-    if (secondsSinceNumbers_ < kNumbersPeriod || !main_.exists()) return;
+    const bool isDue = secondsSinceNumbers_ >= kNumbersPeriod || state_.shown.frames == 0;
+    if (!isDue || !main_.exists()) return;
     secondsSinceNumbers_ = 0.0;
     const RenderSettings& settings = main_.renderer().settings();
     state_.shown = {.times = state_.times,

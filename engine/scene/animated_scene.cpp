@@ -58,7 +58,8 @@ AnimatedScene::AnimatedScene(std::filesystem::path path, const ImportOptions& op
     if (options.opened != nullptr) opened_ = *options.opened;
     options_.keepsMoving = true;
     options_.opened = &opened_;
-    read(time.value_or(times_.front()));
+    read(times_.front());
+    if (time && *time != times_.front()) moveTo(*time);
 }
 
 RawScene AnimatedScene::placesAt(double time) const {

@@ -58,7 +58,10 @@ TEST_F(ViewerAnimation, WhatDeformsIsThePictureWithoutAWindow) {
     json["animations"][0]["samplers"].push_back({{"input", 4}, {"output", 4}});
     json["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}});
     write("moving.gltf", json.dump());
-    view("set panel off\nset at 1\nframes 2\ncapture mid.png\nset at 2\nframes 2\ncapture end.png", "--vpls 12");
+    view(
+        "set panel off\nset at 1\nframes 2\ncapture mid.png\nset at 2\nframes 2\ncapture end.png\nset at 1.3\nframes 2\n"
+        "capture part.png\nsave-view part.json",
+        "--vpls 12");
     const std::string still = fmt::format(
         " moving.gltf --size {}x{} --bounces 2 --light-samples 4 --vpls 12 --frames 2 --animate 0:2:1 -o at_#.png",
         kWidth, kHeight);
@@ -66,6 +69,8 @@ TEST_F(ViewerAnimation, WhatDeformsIsThePictureWithoutAWindow) {
     EXPECT_GT(largestDifference(imageOf("at_1.png"), imageOf("at_2.png")), 20);
     EXPECT_EQ(largestDifference(imageOf("mid.png"), imageOf("at_1.png")), 0);
     EXPECT_EQ(largestDifference(imageOf("end.png"), imageOf("at_2.png")), 0);
+    ASSERT_EQ(run(program("capture") + " part.json --frames 2 -o headless.png"), 0) << textOf("output");
+    EXPECT_EQ(largestDifference(imageOf("part.png"), imageOf("headless.png")), 0);
 }
 
 TEST_F(ViewerAnimation, PlaysPausesAndRefines) {
