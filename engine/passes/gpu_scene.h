@@ -34,7 +34,7 @@ struct GpuScene {
     std::vector<uint32_t> meshRoots;  // nodes, before those of the upper level are counted
     std::vector<Bounds> instanceBounds;
     std::vector<shared::Material> packedMaterials;  // as uploaded
-    std::vector<DrawRange> draws;            // all triangles, for rasterisation
+    std::vector<DrawRange> draws;                   // all triangles, for rasterisation
     EmitterTable emitterTable;
     BoundingSphere sphere;
     double surfaceArea = 0.0;    // of all triangles, normalised frame

@@ -21,8 +21,8 @@ std::vector<double> samplesOfMotion(double end);
 
 class AnimatedScene {
   public:
-    /// Reads the scene at the first of `times` (seconds, at least one), in a frame that holds what moves at all of them,
-    /// and then moves to `time`, if one is given. Throws Error as importScene() does.
+    /// Reads the scene at the first of `times` (seconds, at least one), in a frame that holds what moves at all of
+    /// them, and then moves to `time`, if one is given. Throws Error as importScene() does.
     AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times,
                   std::optional<double> time = std::nullopt);
 

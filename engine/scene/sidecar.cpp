@@ -185,7 +185,8 @@ void scaleEmissions(const JsonView& emissions, RawScene& scene) {
 
 /// Everything but the scene file itself, so that a mistake in the sidecar is told before a large file is read.
 RawScene readOwnKeys(const JsonView& root) {
-    root.expectKeys({"name", "scene", "max_depth", "camera", "lights", "use_gltf_lights", "emission", "at", "settings"});
+    root.expectKeys(
+        {"name", "scene", "max_depth", "camera", "lights", "use_gltf_lights", "emission", "at", "settings"});
     RawScene own;
     if (root.has("name")) own.name = root.at("name").text();
     if (root.has("max_depth")) own.maxDepth = readMaxDepth(root.at("max_depth"));

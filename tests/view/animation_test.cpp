@@ -59,8 +59,8 @@ TEST_F(ViewerAnimation, WhatDeformsIsThePictureWithoutAWindow) {
     json["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}});
     write("moving.gltf", json.dump());
     view(
-        "set panel off\nset at 1\nframes 2\ncapture mid.png\nset at 2\nframes 2\ncapture end.png\nset at 1.3\nframes 2\n"
-        "capture part.png\nsave-view part.json",
+        "set panel off\nset at 1\nframes 2\ncapture mid.png\nset at 2\nframes 2\ncapture end.png\n"
+        "set at 1.3\nframes 2\ncapture part.png\nsave-view part.json",
         "--vpls 12");
     const std::string still = fmt::format(
         " moving.gltf --size {}x{} --bounces 2 --light-samples 4 --vpls 12 --frames 2 --animate 0:2:1 -o at_#.png",
@@ -75,7 +75,8 @@ TEST_F(ViewerAnimation, WhatDeformsIsThePictureWithoutAWindow) {
 
 TEST_F(ViewerAnimation, PlaysPausesAndRefines) {
     view(
-        "frames 1\nset speed 2\nset play on\nwait 2\nkey p\nframes 1\nkey p\nwait 6\nreport playing.json\nframes 2\nreport held.json\nset loop off\nset at 1.9\nwait "
+        "frames 1\nset speed 2\nset play on\nwait 2\nkey p\nframes 1\nkey p\nwait 6\nreport playing.json\nframes "
+        "2\nreport held.json\nset loop off\nset at 1.9\nwait "
         "9\n"
         "report ended.json\nset at 0.25\nframes 3\nreport paused.json",
         "--vpls 4");

@@ -76,7 +76,8 @@ TEST_F(ViewerWindow, TakesUpShadersThatChangeAndKeepsThoseThatWorked) {
         write("broken", "");
     });
     view(
-        "set panel off\nframes 1\nreport started.json\nwait-for changed\nreport changed.json\nwatch\nreport taken.json\nframes 1\nscreenshot magenta.png\n"
+        "set panel off\nframes 1\nreport started.json\nwait-for changed\nreport changed.json\nwatch\nreport "
+        "taken.json\nframes 1\nscreenshot magenta.png\n"
         "wait-for broken\nwatch\nwait 1\nreport broken.json\nscreenshot still.png",
         "--vpls 4 --watch-shaders .");
     developer.join();
