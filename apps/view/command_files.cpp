@@ -53,16 +53,22 @@ Json Viewer::viewJson(const std::filesystem::path& target) const {
     if (state_.cameraMoved) pose = state_.motion.pose();
     return sidecarOf({.scene = *state_.scene,
                       .pose = pose,
-                      .resolution = window_.framebufferSize(),
+                      .resolution = windowSize_,
                       .settings = main_.settings,
-                      .lightsChanged = state_.lightsChanged},
+                      .lightsChanged = state_.lightsChanged,
+                      .moment = moment()},
                      target);
 }
 
+std::optional<double> Viewer::moment() const {
+    return playable_.isAnimated() ? std::optional(playable_.time()) : std::nullopt;
+}
+
 void Viewer::copyView() {
-    const Json camera = toJson(state_.motion.pose(), window_.framebufferSize());
-    ImGui::SetClipboardText(Json{{"camera", camera}}.dump(2).c_str());
-    tell("copied the camera as a sidecar has it");
+    Json view = {{"camera", toJson(state_.motion.pose(), windowSize_)}};
+    if (moment()) view["at"] = *moment();
+    ImGui::SetClipboardText(view.dump(2).c_str());
+    tell("copied the view as a sidecar has it");
 }
 
 void Viewer::saveView(std::filesystem::path file) {
@@ -100,6 +106,8 @@ void Viewer::capture(std::filesystem::path file) {
 
 void Viewer::writeReport(const std::filesystem::path& file) {
     if (!main_.exists()) fail("report: there is no picture");
+    const std::chrono::duration<double> runs = std::chrono::steady_clock::now() - start_;
+    const LatencyProbe& latency = state_.latency;
     Json passes = Json::object();
     for (size_t pass = 0; pass < state_.times.passes().size(); ++pass)
         passes[state_.times.passes()[pass]] = state_.times.mean(pass);
@@ -109,16 +117,30 @@ void Viewer::writeReport(const std::filesystem::path& file) {
                    {"window", presenter_.swapchain().describe()},
                    {"settings", toJson(settings)},
                    {"frames", main_.frameCount()},
+                   {"seconds", runs.count()},
+                   {"frames_presented", presenter_.presentedFrames()},
+                   {"minimised", window_.isMinimised()},
                    {"moving", state_.isMoving},
                    {"quality", {{"scale", state_.quality.scale}, {"vpls", state_.quality.vpls}}},
                    {"frame_milliseconds_median", state_.times.medianTotal()},
                    {"pass_milliseconds_mean", passes},
+                   {"panel",
+                    {{"scale", input_.panelScale()},
+                     {"drawn", presenter_.drawnPanels()},
+                     {"cpu_milliseconds", state_.panelCpu.mean()},
+                     {"cpu_milliseconds_least", state_.panelCpu.least()},
+                     {"gpu_milliseconds", presenter_.panelMilliseconds().mean()}}},
                    {"message", state_.message},
                    {"is_error", state_.isError},
                    {"shader_problem", state_.shaderProblem},
                    {"validation_messages", device_.instance().validationMessages()}};
     if (playable_.isAnimated())
         report["animation"] = {{"at", playable_.time()}, {"end", playable_.end()}, {"plays", state_.view.plays}};
+    if (!latency.samples().empty())
+        report["latency"] = {{"inputs", latency.samples().size()},
+                             {"frames_median", latency.medianFrames()},
+                             {"frames_most", latency.mostFrames()},
+                             {"milliseconds_median", 1e3 * latency.medianSeconds()}};
     if (!fps_.cells().empty()) report["fps_table"] = toJson(fps_);
     if (comparison_.report()) report["rmse"] = comparison_.report()->rmse;
     if (comparison_.flip()) report["flip"] = *comparison_.flip();

@@ -1,6 +1,9 @@
 // Commands that change the scene's lights.
 #include "apps/view/viewer.h"
 
+#include "engine/scene/emission_scale.h"
+
+#include <imgui.h>
 #include <glm/gtc/constants.hpp>
 
 #include <cmath>
@@ -33,16 +36,58 @@ Light newLight(const std::string& type, const Camera& camera, double scenePower)
 }  // namespace
 
 bool Viewer::performLightCommand(const Command& command) {
-    if (command.name() == "add-light") {
-        const double power = main_.renderer().gpuScene().emitterTable.totalPower;
-        state_.scene->lights.push_back(newLight(command.words[1], main_.renderer().camera(), power));
-        lightsHaveChanged();
+    const std::string& name = command.name();
+    if (name == "undo") {
+        undoLights();
         return true;
     }
-    if (command.name() != "light") return false;
-    changeLight(command);
-    lightsHaveChanged();
+    if (name != "add-light" && name != "light" && name != "emission") return false;
+    LightState before = lightState();
+    std::string subject = name;
+    if (name == "add-light") {
+        if (!main_.exists()) fail("{}: add-light: there is no picture", command.place);
+        const double power = main_.renderer().gpuScene().emitterTable.totalPower;
+        state_.scene->lights.push_back(newLight(command.words[1], main_.renderer().camera(), power));
+    } else if (name == "light") {
+        changeLight(command);
+        subject += " " + command.words[1] + " " + command.words[2];
+    } else {
+        changeEmission(command);
+        subject += " " + command.words[1];
+    }
+    const bool isHeld = command.place == "panel" && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    state_.lightHistory.note(std::move(before), subject, isHeld);
+    state_.lightsChanged |= name != "emission";
+    relight();
     return true;
+}
+
+LightState Viewer::lightState() const {
+    LightState state{state_.scene->lights, {}, state_.lightsChanged};
+    for (const Material& material : state_.scene->materials) state.emissionScales.push_back(material.emissionScale);
+    return state;
+}
+
+void Viewer::changeEmission(const Command& command) {
+    const std::vector<SurfaceEmitter> emitters = surfaceEmitters(*state_.scene);
+    if (emitters.empty()) fail("{}: emission: no surface of this scene shines", command.place);
+    const uint32_t index = command.whole(1, 0, static_cast<uint32_t>(emitters.size() - 1));
+    const double scale = command.number(2);
+    if (!(scale >= 0.0 && scale <= double{kLargestEmissionScale}))
+        fail("{}: emission: expected a factor from 0 to {}", command.place, kLargestEmissionScale);
+    scaleEmission(*state_.scene, emitters[index].material, static_cast<float>(scale));
+}
+
+void Viewer::undoLights() {
+    const std::optional<LightState> before = state_.lightHistory.takeBack();
+    if (!before) return tell("undo: no light was changed");
+    Scene& scene = *state_.scene;
+    scene.lights = before->lights;
+    for (size_t i = 0; i < scene.materials.size(); ++i) scaleEmission(scene.materials[i], before->emissionScales[i]);
+    state_.lightsChanged = before->lightsChanged;
+    // Lights of a file that moves are where they are now, not where they were then.
+    if (playable_.isAnimated() && !before->lightsChanged) playable_.moveTo(playable_.time(), false);
+    relight();
 }
 
 void Viewer::changeLight(const Command& command) {
@@ -77,8 +122,7 @@ void Viewer::changeLight(const Command& command) {
     }
 }
 
-void Viewer::lightsHaveChanged() {
-    state_.lightsChanged = true;
+void Viewer::relight() {
     stopFps();
     presenter_.finish();
     main_.relight(*state_.scene);

@@ -17,14 +17,6 @@ const SettingHelp* helpOf(const std::string& option) {
     return nullptr;
 }
 
-uint32_t wholeNumber(const Command& command, size_t index, double low, double high) {
-    const double number = command.number(index);
-    if (!(number >= low && number <= high) || number != static_cast<double>(static_cast<int64_t>(number)))
-        fail("{}: {}: expected a whole number from {} to {}, found {}", command.place, command.name(), low, high,
-             command.words[index]);
-    return static_cast<uint32_t>(number);
-}
-
 }  // namespace
 
 void Viewer::perform(const Command& command) {
@@ -48,7 +40,7 @@ void Viewer::performCommand(const Command& command) {
     }
     if (name == "fps-table") return startFps(command);
     if (name == "watch") {
-        watchedAt_ = {};
+        if (reloader_) watchesToGo_ = reloader_->isRunning() ? 2 : 1;  // what runs may have looked too early
         return;
     }
     if (name == "wait-for") {
@@ -56,23 +48,24 @@ void Viewer::performCommand(const Command& command) {
         return;
     }
     if (name == "quit") return window_.close();
-    if (name == "resize")
-        return window_.resize({wholeNumber(command, 1, 1, 1 << 14), wholeNumber(command, 2, 1, 1 << 14)});
     if (name == "frames") {
         if (state_.view.plays)
             fail("{}: frames: expected 'set play off' before; what plays has no mean", command.place);
-        holdFrames_ = wholeNumber(command, 1, 1, 1 << 24);
+        if (window_.isMinimised()) fail("{}: frames: expected 'restore' before", command.place);
+        holdFrames_ = command.whole(1, 1, 1 << 24);
         for (Side* side : {&main_, &other_})
             if (side->frameCount() > holdFrames_) side->forget();
         return;
     }
-    if (performFileCommand(command) || performLightCommand(command)) return;
+    if (performFileCommand(command) || performLightCommand(command) || performWindowCommand(command)) return;
+    pretendInput(command);
+}
 
-    // What is left pretends input; the picture may go on.
-    holdFrames_ = 0;
-    const auto framesAt = [&](size_t index) {
-        return index < words.size() ? wholeNumber(command, index, 1, 1 << 20) : 1u;
-    };
+void Viewer::pretendInput(const Command& command) {
+    const std::string& name = command.name();
+    const std::vector<std::string>& words = command.words;
+    holdFrames_ = 0;  // the picture may go on
+    const auto framesAt = [&](size_t index) { return index < words.size() ? command.whole(index, 1, 1 << 20) : 1u; };
     if (name == "key") {
         input_.pretendKey(words[1], framesAt(2));
         waitFrames_ = framesAt(2);
@@ -83,7 +76,7 @@ void Viewer::performCommand(const Command& command) {
     } else if (name == "wheel") {
         input_.pretendWheel(command.number(1));
     } else {
-        waitFrames_ = wholeNumber(command, 1, 1, 1 << 20);
+        waitFrames_ = command.whole(1, 1, 1 << 20);
     }
 }
 
@@ -94,10 +87,17 @@ void Viewer::stopFps() {
 }
 
 void Viewer::startFps(const Command& command) {
+    const bool closes = command.words.size() == 2 && command.words[1] == "off";
+    if (closes) {
+        stopFps();
+        fps_ = {};
+        return;
+    }
     if (fps_.isRunning()) return stopFps();
     if (!main_.exists()) fail("{}: there is no picture to measure", command.place);
+    state_.latency.stop();
     std::vector<uint32_t> vplCounts;
-    for (size_t i = 1; i < command.words.size(); ++i) vplCounts.push_back(wholeNumber(command, i, 1, 1 << 21));
+    for (size_t i = 1; i < command.words.size(); ++i) vplCounts.push_back(command.whole(i, 1, 1 << 21));
     RenderSettings settings = main_.settings;
     settings.width = sideView().size.x;
     settings.height = sideView().size.y;

@@ -33,16 +33,28 @@ Input::Input(Window& window) : window_(window) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
-    const float scale = std::round(2.0f * window.contentScale()) / 2.0f;
+    scalePanels(window.contentScale());
+    ImGui_ImplGlfw_InitForOther(window.handle(), true);
+}
+
+bool Input::scalePanels(float wanted) {
+    const float scale = std::max(std::round(2.0f * wanted) / 2.0f, 0.5f);
+    if (scale == panelScale_) return false;
+    panelScale_ = scale;
+    const float pixelsPerUnit = window_.pixelsPerUnit();
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
     ImFontConfig font;
     font.SizePixels = std::floor(kFontPixels * scale);
     io.Fonts->AddFontDefault(&font);
-    ImGui::StyleColorsDark();
+    io.FontGlobalScale = 1.0f / pixelsPerUnit;
     ImGuiStyle& style = ImGui::GetStyle();
-    style.ScaleAllSizes(scale);
+    style = ImGuiStyle();
+    ImGui::StyleColorsDark();
+    style.ScaleAllSizes(scale / pixelsPerUnit);
     style.AntiAliasedLinesUseTex = false;  // our shader takes the nearest texel
     style.Colors[ImGuiCol_WindowBg].w = 0.85f;
-    ImGui_ImplGlfw_InitForOther(window.handle(), true);
+    return true;
 }
 
 Input::~Input() {
@@ -52,7 +64,12 @@ Input::~Input() {
 
 void Input::beginFrame(double seconds) {
     ImGui_ImplGlfw_NewFrame();
-    if (seconds > 0.0) ImGui::GetIO().DeltaTime = static_cast<float>(seconds);
+    ImGuiIO& io = ImGui::GetIO();
+    if (seconds > 0.0) io.DeltaTime = static_cast<float>(seconds);
+    if (click_) {
+        io.MousePos = {click_->position.x, click_->position.y};
+        io.MouseDown[ImGuiMouseButton_Left] = click_->frame == 1;
+    }
     ImGui::NewFrame();
 }
 
@@ -126,6 +143,7 @@ void Input::endFrame() {
     std::erase_if(heldKeys_, [](const auto& held) { return held.second == 0; });
     dragFrames_ = dragFrames_ > 0 ? dragFrames_ - 1 : 0;
     wheel_ = 0.0;
+    if (click_ && ++click_->frame == 3) click_.reset();
 }
 
 }  // namespace manylight

@@ -5,6 +5,7 @@
 #include "apps/view_model/camera_motion.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -18,6 +19,11 @@ class Input {
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
 
+    /// Text and panels of so many pixels per unit that they were designed for. True if that is new: PanelAtlas must be
+    /// made again. Between two frames.
+    bool scalePanels(float scale);
+    float panelScale() const { return panelScale_; }
+
     /// Begins a frame of the panels. `seconds`: since the last one; 0: as the clock says.
     void beginFrame(double seconds);
     /// Names of the keys pressed since the last call, unless the panels want them.
@@ -30,13 +36,22 @@ class Input {
     void pretendKey(const std::string& key, uint32_t frames);
     void pretendDrag(bool right, glm::dvec2 by, uint32_t frames);
     void pretendWheel(double notches) { wheel_ += notches; }
+    /// Presses and releases the left button there, for the panels; takes three frames.
+    void pretendClick(glm::vec2 position) { click_ = Click{position, 0}; }
+    bool isClicking() const { return click_.has_value(); }
     /// Counts down what is pretended; to be called at the end of each frame.
     void endFrame();
 
   private:
+    struct Click {
+        glm::vec2 position{0.0f};
+        uint32_t frame = 0;
+    };
     bool isDown(const std::string& key) const;
 
     Window& window_;
+    float panelScale_ = 0.0f;
+    std::optional<Click> click_;
     std::map<std::string, uint32_t> heldKeys_;  // frames left
     std::set<std::string> freshKeys_;           // pretended since the last look
     std::set<std::string> downKeys_;            // of the keyboard, at the last look

@@ -8,7 +8,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Shows a scene in a window.", "manylight-view"};
     addStandardOptions(app);
     app.footer(
-        "Keys: w a s d q e and the mouse move, p plays an animation, f1 lists the others, tab hides the panels.\n"
+        "Keys: w a s d q e and the mouse move, p plays an animation, z takes back changes of\n"
+        "lights, f1 lists the others, tab hides the panels.\n"
         "Examples:\n"
         "  manylight-view scenes/cornell_box.json\n"
         "  manylight-view scene.gltf --size 1280x720 --vpls 200 --budget 30\n"

@@ -35,12 +35,13 @@ void drawRow(const FpsSamples* cells) {
 
 }  // namespace
 
-void drawFps(const PanelView& view) {
+void drawFps(const PanelView& view, PanelAnswer& answer) {
     const FpsRows& fps = view.fps;
     const RenderSettings& settings = fps.settings();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x - 8.0f, 0.5f * window.y}, ImGuiCond_FirstUseEver, {1.0f, 0.0f});
-    if (ImGui::Begin("FPS table", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
+    ImGui::SetNextWindowPos({window.x - 8.0f, 0.5f * window.y}, placeWhen(view), {1.0f, 0.0f});
+    bool isOpen = true;
+    if (ImGui::Begin("FPS table", &isOpen, ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::Text("FPS at %ux%u, shadows %s", settings.width, settings.height, settings.castShadows ? "on" : "off");
         if (fps.isRunning()) ImGui::ProgressBar(static_cast<float>(fps.progress()));
         if (ImGui::BeginTable("fps", 5, ImGuiTableFlags_Borders | ImGuiTableFlags_SizingFixedFit)) {
@@ -52,6 +53,7 @@ void drawFps(const PanelView& view) {
         }
     }
     ImGui::End();
+    if (!isOpen) answer.commands.emplace_back("fps-table off");
 }
 
 }  // namespace manylight

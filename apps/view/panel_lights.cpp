@@ -2,16 +2,18 @@
 
 #include "apps/view_model/sidecar_writer.h"
 #include "engine/math/projection.h"
+#include "engine/scene/emission_scale.h"
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace manylight {
 namespace {
 
-constexpr float kHandle = 7.0f;  // pixels
+constexpr float kHandle = 7.0f;  // times panelScale()
 
 const char* typeName(LightType type) {
     constexpr std::array kNames = {"point", "spot", "directional", "constant"};
@@ -54,6 +56,26 @@ void drawLight(const Light& light, size_t index, const SceneFrame& frame, PanelA
     ImGui::TreePop();
 }
 
+/// Materials that shine, each with a factor on what its file says.
+void drawSurfaceEmitters(const PanelView& view, PanelAnswer& answer) {
+    const std::vector<SurfaceEmitter> emitters = surfaceEmitters(*view.state.scene);
+    const EmitterTable& table = view.main.renderer().gpuScene().emitterTable;
+    ImGui::Text("%zu emissive materials, %u area lights", emitters.size(), table.areaLightCount);
+    for (size_t i = 0; i < emitters.size(); ++i) {
+        const glm::vec3 radiance = emitters[i].givenRadiance;
+        const glm::vec3 hue = radiance / std::max({radiance.x, radiance.y, radiance.z});
+        ImGui::ColorButton(fmt::format("##emission colour{}", i).c_str(), {hue.x, hue.y, hue.z, 1.0f},
+                           ImGuiColorEditFlags_NoTooltip, {ImGui::GetFontSize(), ImGui::GetFontSize()});
+        ImGui::SameLine();
+        float scale = emitters[i].scale;
+        const std::string label = fmt::format("{}##emission{}", emitters[i].material, i);
+        if (ImGui::SliderFloat(label.c_str(), &scale, 0.0f, 10.0f, "x %.3g", ImGuiSliderFlags_Logarithmic)) {
+            answer.commands.push_back(fmt::format("emission {} {:.9g}", i, std::max(scale, 0.0f)));
+            answer.isDragging = true;
+        }
+    }
+}
+
 /// Where a point is seen, in the window's units; empty behind the camera.
 std::optional<ImVec2> seenAt(const Camera& camera, const glm::vec3& point) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -76,14 +98,14 @@ glm::vec3 dragged(const Camera& camera, const glm::vec3& light, const ImVec2& de
 void drawLights(const PanelView& view, PanelAnswer& answer) {
     const Scene& scene = *view.state.scene;
     for (size_t i = 0; i < scene.lights.size(); ++i) drawLight(scene.lights[i], i, scene.frame, answer);
-    const EmitterTable& table = view.main.renderer().gpuScene().emitterTable;
-    ImGui::Text("%u emissive triangles and surroundings", table.areaLightCount);
+    drawSurfaceEmitters(view, answer);
     for (const char* type : {"point", "spot", "directional"}) {
         if (ImGui::SmallButton(fmt::format("add {}", type).c_str()))
             answer.commands.push_back(fmt::format("add-light {}", type));
         ImGui::SameLine();
     }
     ImGui::NewLine();
+    if (view.state.lightHistory.steps() > 0 && ImGui::SmallButton("undo")) answer.commands.emplace_back("undo");
 }
 
 void drawLightHandles(const PanelView& view, PanelAnswer& answer) {
@@ -96,11 +118,11 @@ void drawLightHandles(const PanelView& view, PanelAnswer& answer) {
         const Light& light = scene.lights[i];
         const auto place = hasPosition(light) ? seenAt(camera, light.position) : std::nullopt;
         if (!place) continue;
-        const bool isNear = std::hypot(io.MousePos.x - place->x, io.MousePos.y - place->y) <= kHandle;
+        const float radius = kHandle * panelScale();
+        const bool isNear = std::hypot(io.MousePos.x - place->x, io.MousePos.y - place->y) <= radius;
         if (isNear && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.WantCaptureMouse) held = i;
         ImGui::GetBackgroundDrawList()->AddCircle(
-            *place, kHandle, isNear || held == i ? IM_COL32(255, 220, 80, 255) : IM_COL32(255, 255, 255, 140), 16,
-            2.0f);
+            *place, radius, isNear || held == i ? IM_COL32(255, 220, 80, 255) : IM_COL32(255, 255, 255, 140), 16, 2.0f);
     }
     if (!held) return;
     if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return;

@@ -23,7 +23,39 @@ void reserve(gpu::Device& device, PhysicalBuffer& buffer, const char* name, size
         {}};
 }
 
+/// FNV-1a by words of eight bytes.
+uint64_t addBytes(uint64_t hash, const void* bytes, size_t count) {
+    const auto* at = static_cast<const unsigned char*>(bytes);
+    for (; count > 0;) {
+        uint64_t word = 0;
+        const size_t taken = std::min(count, sizeof word);
+        std::memcpy(&word, at, taken);
+        hash = (hash ^ word) * 0x100000001b3u;
+        hash ^= hash >> 29;  // or the high bits of words would stay there
+        at += taken;
+        count -= taken;
+    }
+    return hash;
+}
+
 }  // namespace
+
+uint64_t fingerprintOf(const ImDrawData& data) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](const auto& value) { hash = addBytes(hash, &value, sizeof value); };
+    add(data.DisplayPos);
+    add(data.FramebufferScale);
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            add(command.ClipRect);
+            add(command.ElemCount);
+        }
+        hash = addBytes(hash, list.IdxBuffer.Data, static_cast<size_t>(list.IdxBuffer.size_in_bytes()));
+        hash = addBytes(hash, list.VtxBuffer.Data, static_cast<size_t>(list.VtxBuffer.size_in_bytes()));
+    }
+    return hash;
+}
 
 PanelAtlas::PanelAtlas(gpu::Device& device) {
     unsigned char* coverage = nullptr;
@@ -63,23 +95,24 @@ void PanelFrame::upload(gpu::Device& device, const ImDrawData& data) {
     }
 }
 
-ImageHandle PanelFrame::add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle canvas, glm::uvec2 canvasSize) {
-    if (draws_.empty()) return canvas;
-    PassBuilder pass = graph.addPass("window_panel");
+ImageHandle PanelFrame::add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle layer, glm::uvec2 size) {
+    PassBuilder clear = graph.addPass(std::string(kPanelPass) + "_clear");
+    layer = clear.write(layer, Access::ColorWrite, VkClearValue{});
+    clear.execute([](PassContext&) {});
+    PassBuilder pass = graph.addPass(kPanelPass);
     pass.read(importPhysical(graph, "panel vertices", vertices_), Access::GraphicsStorageRead,
               shared::kBindingPanelVertices)
         .read(importPhysical(graph, "panel indices", indices_), Access::GraphicsStorageRead,
               shared::kBindingPanelIndices)
         .read(importPhysical(graph, "font", atlas.buffer()), Access::GraphicsStorageRead, shared::kBindingPanelAtlas);
-    canvas = pass.write(canvas, Access::ColorBlend);
-    pass.execute([this, canvasSize, atlasSize = atlas.size()](PassContext& context) {
+    layer = pass.write(layer, Access::ColorBlend);
+    pass.execute([this, size, atlasSize = atlas.size()](PassContext& context) {
         for (const Draw& draw : draws_)
             context.draw(
                 {.vertexShader = "window_panel.vert", .fragmentShader = "window_panel.frag", .overBlend = true},
-                draw.indexCount,
-                shared::WindowPanelPush{draw.clip, origin_, scale_, canvasSize, atlasSize, draw.firstIndex});
+                draw.indexCount, shared::WindowPanelPush{draw.clip, origin_, scale_, size, atlasSize, draw.firstIndex});
     });
-    return canvas;
+    return layer;
 }
 
 }  // namespace manylight

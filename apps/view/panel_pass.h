@@ -7,6 +7,8 @@ struct ImDrawData;
 
 namespace manylight {
 
+inline constexpr const char* kPanelPass = "window_panel";
+
 /// The font's coverage, one byte a texel. Dear ImGui must have its context.
 class PanelAtlas {
   public:
@@ -19,13 +21,16 @@ class PanelAtlas {
     glm::uvec2 size_{0};
 };
 
+/// The same for lists that draw the same.
+uint64_t fingerprintOf(const ImDrawData& data);
+
 /// What one frame of the panels needs on the device; one for each frame in flight.
 class PanelFrame {
   public:
     /// Copies the lists; the device must be done with the last ones. They may be discarded afterwards.
     void upload(gpu::Device& device, const ImDrawData& data);
-    /// Draws what was uploaded over `canvas`.
-    ImageHandle add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle canvas, glm::uvec2 canvasSize);
+    /// Draws what was uploaded, and nothing else, to `layer`: premultiplied by its opacity.
+    ImageHandle add(FrameGraph& graph, PanelAtlas& atlas, ImageHandle layer, glm::uvec2 size);
 
   private:
     struct Draw {

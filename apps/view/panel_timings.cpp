@@ -7,6 +7,8 @@
 namespace manylight {
 namespace {
 
+constexpr double kMostMedians = 4.0;  // that the plot is high
+
 /// Colours that differ from their neighbours: steps of the golden angle around the hues.
 ImU32 colourOf(size_t pass) {
     const float hue = static_cast<float>(pass) * 0.381966f;
@@ -40,24 +42,38 @@ void drawStack(const TimeHistory& times, const ImVec2& size, double most) {
     ImGui::Dummy(size);
 }
 
-double largestOf(const TimeHistory& times) {
+/// Of the plot: a single frame, such as one in which pipelines were compiled, does not make the others vanish.
+double topOf(const TimeHistory& times) {
     double most = 1.0;
     for (const TimeHistory::Frame& frame : times.frames()) most = std::max({most, frame.total, frame.sum()});
-    return most;
+    return std::min(most, std::max(kMostMedians * times.medianTotal(), 1.0));
 }
 
 double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
+/// What the panels themselves cost, and how quickly the picture follows.
+void drawCosts(const ViewState& state, PanelAnswer& answer) {
+    ImGui::Text("panels %.2f ms to build, %.2f ms to draw", state.shown.panelCpu, state.shown.panelGpu);
+    if (state.latency.isRunning()) {
+        ImGui::TextUnformatted("latency: measuring");
+        return;
+    }
+    if (ImGui::SmallButton("measure latency")) answer.commands.emplace_back("latency");
+    if (state.latency.samples().empty()) return;
+    ImGui::SameLine();
+    ImGui::Text("%.2f frames, %.1f ms", state.latency.medianFrames(), 1e3 * state.latency.medianSeconds());
+}
+
 }  // namespace
 
-void drawTimings(const PanelView& view) {
-    const TimeHistory& times = view.state.times;
-    const float scale = ImGui::GetFontSize() / 13.0f;
+void drawTimings(const PanelView& view, PanelAnswer& answer) {
+    const TimeHistory& times = view.state.shown.times;
+    const float scale = panelScale();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x - 328 * scale, 8 * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowCollapsed(window.x < 900 * scale, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({window.x - 328 * scale, 8 * scale}, placeWhen(view));
+    ImGui::SetNextWindowCollapsed(window.x < 900 * scale, placeWhen(view));
     if (ImGui::Begin("Times", nullptr, ImGuiWindowFlags_AlwaysAutoResize)) {
-        const double most = largestOf(times);
+        const double most = topOf(times);
         ImGui::Text("up to %.1f ms; white: from frame to frame", most);
         drawStack(times, {240 * scale, 80 * scale}, most);
         for (size_t pass = times.passes().size(); pass-- > 0;) {
@@ -67,6 +83,7 @@ void drawTimings(const PanelView& view) {
             ImGui::SameLine();
             ImGui::Text("%7.2f ms  %s", times.mean(pass), times.passes()[pass].c_str());
         }
+        drawCosts(view.state, answer);
         const gpu::Allocator& memory = view.device.allocator();
         ImGui::Text("memory %.1f MiB of %.0f reserved, scene %.1f", mebibytes(memory.bytesInUse()),
                     mebibytes(memory.bytesReserved()), mebibytes(view.main.renderer().gpuScene().totalBytes));

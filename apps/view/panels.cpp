@@ -10,8 +10,6 @@
 namespace manylight {
 namespace {
 
-float textScale() { return ImGui::GetFontSize() / 13.0f; }
-
 /// Pairs of lighting and show that people switch between.
 struct NamedView {
     const char* name;
@@ -66,25 +64,25 @@ void drawViewSettings(const PanelView& view, bool playback, PanelAnswer& answer)
 
 void drawState(const PanelView& view, PanelAnswer& answer) {
     const ViewState& state = view.state;
-    const RenderSettings& shown = view.main.renderer().settings();
+    const ShownNumbers& shown = state.shown;
     ImGui::Text("%s", state.scene->name.c_str());
-    ImGui::Text("%ux%u, %u VPLs, frame %u", shown.width, shown.height, shown.vplCount, view.main.frameCount());
-    const double milliseconds = state.times.medianTotal();
+    ImGui::Text("%ux%u, %u VPLs, frame %u", shown.size.x, shown.size.y, shown.vplCount, shown.frames);
+    const double milliseconds = shown.times.medianTotal();
     ImGui::Text("%.1f ms, %.1f FPS%s", milliseconds, milliseconds > 0.0 ? 1000.0 / milliseconds : 0.0,
-                state.isMoving ? " (moving)" : "");
+                shown.isMoving ? " (moving)" : "");
     if (ImGui::SmallButton(view.fps.isRunning() ? "stop measuring" : "measure FPS"))
         answer.commands.emplace_back("fps-table");
-    if (state.quality != FrameQuality{})
+    if (shown.quality != FrameQuality{})
         ImGui::Text("budget %.0f ms: %.0f %% of the size, %.1f %% of the VPLs", state.view.budget,
-                    100.0 * state.quality.scale, 100.0 * state.quality.vpls);
+                    100.0 * shown.quality.scale, 100.0 * shown.quality.vpls);
 }
 
 void drawCamera(const PanelView& view, PanelAnswer& answer) {
     const ViewState& state = view.state;
-    const CameraPose& pose = state.motion.pose();
+    const CameraPose& pose = state.shown.pose;
     ImGui::Text("at %.4g %.4g %.4g", pose.origin.x, pose.origin.y, pose.origin.z);
     ImGui::Text("to %.4g %.4g %.4g", pose.target.x, pose.target.y, pose.target.z);
-    ImGui::Text("speed %.3g a second", state.motion.speed());
+    ImGui::Text("speed %.3g a second", state.shown.speed);
     for (size_t i = 0; i < state.scene->cameras.size(); ++i) {
         if (i > 0) ImGui::SameLine();
         const std::string& given = state.scene->cameras[i].name;
@@ -116,9 +114,9 @@ void drawComparison(const PanelView& view, PanelAnswer& answer) {
 }
 
 void drawMain(const PanelView& view, PanelAnswer& answer) {
-    const float scale = textScale();
-    ImGui::SetNextWindowPos({8 * scale, 8 * scale}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({300 * scale, 0.85f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_FirstUseEver);
+    const float scale = panelScale();
+    ImGui::SetNextWindowPos({8 * scale, 8 * scale}, placeWhen(view));
+    ImGui::SetNextWindowSize({300 * scale, 0.85f * ImGui::GetIO().DisplaySize.y}, placeWhen(view));
     if (ImGui::Begin("Manylight")) {
         ImGui::PushItemWidth(120 * scale);
         drawState(view, answer);
@@ -160,7 +158,7 @@ void drawDivider(const PanelView& view) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float x = static_cast<float>(view.state.view.divider) * window.x;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddLine({x, 0}, {x, window.y}, IM_COL32(255, 255, 255, 200), 2.0f * textScale());
+    list.AddLine({x, 0}, {x, window.y}, IM_COL32(255, 255, 255, 200), 2.0f * panelScale());
     if (!view.state.view.panel) return;
     const auto label = [&](const RenderSettings& s) {
         return fmt::format("{}, {} VPLs", name(s.technique), s.vplCount);
@@ -174,8 +172,11 @@ void drawDivider(const PanelView& view) {
 
 }  // namespace
 
-void drawKeys() {
-    ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, 8.0f}, ImGuiCond_FirstUseEver, {0.5f, 0.0f});
+int placeWhen(const PanelView& view) { return view.isRescaled ? ImGuiCond_Always : ImGuiCond_FirstUseEver; }
+float panelScale() { return ImGui::GetFontSize() / 13.0f; }
+
+void drawKeys(const PanelView& view) {
+    ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, 8.0f}, placeWhen(view), {0.5f, 0.0f});
     ImGui::Begin("Keys", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
     if (ImGui::BeginTable("keys", 2)) {
         const auto row = [](const char* key, const char* help) {
@@ -201,11 +202,11 @@ PanelAnswer drawPanels(const PanelView& view) {
     if (settings.panel) {
         drawLightHandles(view, answer);
         drawMain(view, answer);
-        if (settings.timings) drawTimings(view);
-        if (!view.fps.cells().empty()) drawFps(view);
+        if (settings.timings) drawTimings(view, answer);
+        if (!view.fps.cells().empty()) drawFps(view, answer);
         drawMessage(view);
     }
-    if (settings.help) drawKeys();
+    if (settings.help) drawKeys(view);
     return answer;
 }
 

@@ -15,6 +15,7 @@ struct PanelView {
     gpu::Device& device;
     std::string window;  // the swapchain, in words
     bool hasReference = false;
+    bool isRescaled = false;           // windows go where they went at first
     std::optional<size_t>& heldLight;  // by the mouse; kept from frame to frame
 };
 
@@ -31,9 +32,14 @@ void drawSetting(const SettingHelp& help, const Json& value, const std::string& 
 
 void drawLights(const PanelView& view, PanelAnswer& answer);
 void drawLightHandles(const PanelView& view, PanelAnswer& answer);
-void drawTimings(const PanelView& view);
-void drawFps(const PanelView& view);
+void drawTimings(const PanelView& view, PanelAnswer& answer);
+void drawFps(const PanelView& view, PanelAnswer& answer);
 void drawPlan(const PanelView& view);
-void drawKeys();
+void drawKeys(const PanelView& view);
+
+/// When a window takes the place and the size that it is given.
+int placeWhen(const PanelView& view);
+/// Pixels, or units of the window, per unit that the panels were designed for.
+float panelScale();
 
 }  // namespace manylight

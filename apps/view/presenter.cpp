@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include <chrono>
 #include <cstring>
 
 namespace manylight {
@@ -35,8 +36,24 @@ Presenter::~Presenter() {
     for (const Flight& flight : flights_) vkDestroySemaphore(device_.handle(), flight.available, nullptr);
 }
 
+void Presenter::renewAtlas() {
+    finish();
+    atlas_ = PanelAtlas(device_);
+    drawnPanels_.reset();
+}
+
 void Presenter::finish() {
-    for (Flight& flight : flights_) flight.executor->finish();
+    for (size_t i = 0; i < flights_.size(); ++i) finish(flights_[(next_ + i) % flights_.size()]);
+}
+
+void Presenter::finish(Flight& flight) {
+    const Execution done = flight.executor->finish();
+    if (done.passTimes.empty()) return;
+    passTimes_ = done.passTimes;
+    double panels = 0.0;
+    for (const PassTime& pass : passTimes_)
+        if (pass.pass.starts_with(kPanelPass)) panels += pass.milliseconds;
+    panelMilliseconds_.add(panels);
 }
 
 bool Presenter::follow(glm::uvec2 size) {
@@ -51,33 +68,40 @@ bool Presenter::follow(glm::uvec2 size) {
     finish();
     constexpr VkImageUsageFlags kUsage =
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    const gpu::TextureInfo info{VK_FORMAT_R8G8B8A8_UNORM, swapchain_.size().x, swapchain_.size().y, kUsage};
     canvas_ = {};
-    canvas_.texture =
-        gpu::Texture(device_, "canvas", {VK_FORMAT_R8G8B8A8_UNORM, swapchain_.size().x, swapchain_.size().y, kUsage});
+    canvas_.texture = gpu::Texture(device_, "canvas", info);
+    panelLayer_ = {};
+    panelLayer_.texture = gpu::Texture(device_, "panels", info);
+    drawnPanels_.reset();
     return true;
 }
 
-FrameGraph Presenter::declare(const Shown& shown, PanelFrame& panels, PhysicalImage& target) {
+FrameGraph Presenter::declare(const Shown& shown, PanelFrame* panels, PhysicalImage& target) {
     const glm::uvec2 size = swapchain_.size();
     PhysicalImage& picture = *shown.picture;
     const bool hasOther = shown.other != nullptr && shown.other != shown.picture;
     FrameGraph graph;
     ImageHandle canvas = importPhysical(graph, "canvas", canvas_);
+    ImageHandle layer = importPhysical(graph, "panels", panelLayer_);
+    if (panels != nullptr) layer = panels->add(graph, atlas_, layer, size);
 
     PassBuilder draw = graph.addPass("window_picture");
     const ImageHandle left = importPhysical(graph, "picture", picture);
     draw.read(left, Access::GraphicsStorageRead, shared::kBindingDisplay);
     PhysicalImage& other = hasOther ? *shown.other : nothing_;
     draw.read(importPhysical(graph, "other picture", other), Access::GraphicsStorageRead, shared::kBindingOtherDisplay);
+    draw.read(layer, Access::GraphicsStorageRead, shared::kBindingCanvas);
     canvas = draw.write(canvas, Access::ColorWrite, VkClearValue{});
     const shared::WindowPicturePush push{
         sizeOf(picture), sizeOf(other), size,
         hasOther ? shown.divider * static_cast<float>(size.x) : static_cast<float>(size.x)};
-    draw.execute([push](PassContext& context) {
-        context.draw({.vertexShader = "window_present.vert", .fragmentShader = "window_picture.frag"}, kFullScreen,
-                     push);
+    draw.execute([push, hasPanels = hasPanels_](PassContext& context) {
+        context.draw({.vertexShader = "window_present.vert",
+                      .fragmentShader = "window_picture.frag",
+                      .specialisation = {hasPanels}},
+                     kFullScreen, push);
     });
-    canvas = panels.add(graph, atlas_, canvas, size);
 
     PassBuilder present = graph.addPass("window_present");
     present.read(canvas, Access::GraphicsStorageRead, shared::kBindingCanvas);
@@ -96,15 +120,22 @@ FrameGraph Presenter::declare(const Shown& shown, PanelFrame& panels, PhysicalIm
 void Presenter::present(const Shown& shown, const ImDrawData& panels) {
     if (!follow(window_.framebufferSize())) return;
     Flight& flight = flights_[next_];
-    const Execution last = flight.executor->finish();
-    if (!last.passTimes.empty()) passTimes_ = last.passTimes;
-    flight.panels.upload(device_, panels);
+    finish(flight);
+    const auto start = std::chrono::steady_clock::now();
+    const uint64_t fingerprint = fingerprintOf(panels);
+    const bool isNew = drawnPanels_ != fingerprint;
+    if (isNew) flight.panels.upload(device_, panels);
+    uploadMilliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const std::optional<uint32_t> index = swapchain_.acquire(flight.available);
     isStale_ = !index.has_value();
     if (isStale_) return;
-    flight.executor->submit(declare(shown, flight.panels, swapchain_.image(*index)), flight.available,
-                            swapchain_.isDrawn(*index));
+    hasPanels_ = panels.TotalIdxCount > 0;
+    flight.executor->submit(declare(shown, isNew ? &flight.panels : nullptr, swapchain_.image(*index)),
+                            flight.available, swapchain_.isDrawn(*index));
+    drawnPanels_ = fingerprint;
+    drawnPanelCount_ += isNew ? 1 : 0;
     isStale_ = !swapchain_.present(*index);
+    ++presentedFrames_;
     next_ = (next_ + 1) % flights_.size();
 }
 

@@ -19,6 +19,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kScriptedFrame = 1.0 / 30.0;  // seconds, whatever the clock says
 constexpr double kIdlePoll = 0.05;             // seconds between frames that show nothing new
 constexpr double kMessageSeconds = 6.0;
+constexpr double kNumbersPeriod = 0.25;  // seconds between new numbers in the panels
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -40,7 +41,10 @@ Viewer::Start Viewer::load(const ViewerOptions& options) {
     if (options.scene.empty()) failUsage("no scene given: expected an OBJ, glTF, GLB or JSON file");
     ViewSettings view;
     for (const auto& [option, value] : options.viewSettings) applyViewSetting(view, option, value);
-    Start start{PlayableScene(options.scene, instanceModeFrom(options.instances), view.at), {}, {}};
+    const bool isTimeGiven =
+        std::ranges::find(options.viewSettings, "at", &TypedSettings::value_type::first) != options.viewSettings.end();
+    const std::optional<double> time = isTimeGiven ? std::optional(view.at) : std::nullopt;
+    Start start{PlayableScene(options.scene, instanceModeFrom(options.instances), time), {}, {}};
     const Scene& scene = start.scene.scene();
     printWarnings(scene.warnings);
     start.settings = resolveSettings(scene, options.settings);
@@ -59,12 +63,14 @@ Viewer::Viewer(const ViewerOptions& options, Start start)
       main_(device_),
       other_(device_),
       comparison_(device_),
-      lastFrame_(Clock::now()) {
+      lastFrame_(Clock::now()),
+      start_(lastFrame_) {
     for (const auto& [option, value] : options.viewSettings) applyViewSetting(state_.view, option, value);
     if (!options.script.empty()) script_ = parseScript(readTextFile(options.script), options.script.string());
     if (!options.reference.empty()) reference_ = readExr(options.reference);
     if (!options.watchShaders.empty()) reloader_ = std::make_unique<ShaderReloader>(options.watchShaders);
     main_.settings = start.settings;
+    followScreen();
     main_.update(start.scene.scene(), sideView());
     take(std::move(start.scene));
 }
@@ -72,7 +78,7 @@ Viewer::Viewer(const ViewerOptions& options, Start start)
 Viewer::~Viewer() { vkDeviceWaitIdle(device_.handle()); }
 
 void Viewer::open(const std::filesystem::path& file) {
-    PlayableScene opened(file, instanceModeFrom(options_.instances), 0.0);
+    PlayableScene opened(file, instanceModeFrom(options_.instances), std::nullopt);
     const Scene& scene = opened.scene();
     printWarnings(scene.warnings);
     Side side(device_);
@@ -89,6 +95,8 @@ void Viewer::open(const std::filesystem::path& file) {
 void Viewer::take(PlayableScene scene) {
     other_.drop();  // it knows the old scene
     fps_ = {};
+    state_.latency.stop();
+    state_.lightHistory.clear();
     playable_ = std::move(scene);
     state_.scene = &playable_.scene();
     state_.animationEnd = playable_.end();
@@ -106,7 +114,7 @@ void Viewer::take(PlayableScene scene) {
 
 SideView Viewer::sideView() const {
     SideView view;
-    const glm::dvec2 size = state_.view.pixelScale * glm::dvec2(glm::max(window_.framebufferSize(), glm::uvec2(1)));
+    const glm::dvec2 size = state_.view.pixelScale * glm::dvec2(windowSize_);
     view.size = glm::uvec2(glm::round(size));
     if (state_.cameraMoved) view.camera = cameraOf(state_.motion.pose(), state_.scene->frame);
     view.quality = state_.quality;
@@ -127,13 +135,12 @@ void Viewer::frame() {
     for (const std::filesystem::path& file : window_.takeDroppedFiles())
         perform({{"open", file.string()}, "dropped file"});
     followScript();
+    followScreen();
     if (reloader_) reloadShaders();
 
     state_.messageSeconds -= seconds;
-    input_.beginFrame(script_.empty() ? 0.0 : kScriptedFrame);
-    takeInput(seconds);
-    showPanels();
-    ImGui::Render();
+    refreshNumbers(seconds);
+    for (const std::string& command : showPanels(seconds)) perform(parseCommand(command, "panel"));
     const Clock::time_point start = Clock::now();
     if (!window_.isMinimised()) {
         if (fps_.isRunning()) {
@@ -143,12 +150,36 @@ void Viewer::frame() {
             render();
             if (main_.exists()) compareSides();
         }
-        if (main_.exists()) {
-            present(secondsSince(start));
-        }
+        if (main_.exists()) present(secondsSince(start));
+        followLatency();
     }
     input_.endFrame();
     ++frames_;
+}
+
+void Viewer::refreshNumbers(double seconds) {
+    secondsSinceNumbers_ += seconds;
+    const bool isDue = secondsSinceNumbers_ >= kNumbersPeriod || state_.shown.frames == 0;
+    if (!isDue || !main_.exists()) return;
+    secondsSinceNumbers_ = 0.0;
+    const RenderSettings& settings = main_.renderer().settings();
+    state_.shown = {.times = state_.times,
+                    .panelCpu = state_.panelCpu.mean(),
+                    .panelGpu = presenter_.panelMilliseconds().mean(),
+                    .frames = main_.frameCount(),
+                    .size = {settings.width, settings.height},
+                    .vplCount = settings.vplCount,
+                    .isMoving = state_.isMoving,
+                    .quality = state_.quality,
+                    .pose = state_.motion.pose(),
+                    .speed = state_.motion.speed()};
+}
+
+void Viewer::followScreen() {
+    windowSize_ = window_.isMinimised() ? windowSize_ : window_.framebufferSize();
+    const double wanted = state_.view.panelScale;
+    isRescaled_ = input_.scalePanels(wanted > 0.0 ? static_cast<float>(wanted) : window_.contentScale());
+    if (isRescaled_) presenter_.renewAtlas();
 }
 
 bool Viewer::needsOther() const {
@@ -159,11 +190,13 @@ bool Viewer::isDone() const {
     const auto sideIsDone = [&](const Side& side) {
         return !side.isStale(sideView()) && side.frameCount() >= frameLimit();
     };
-    return !state_.isMoving && !fps_.isRunning() && sideIsDone(main_) && (!needsOther() || sideIsDone(other_));
+    return !state_.isMoving && !fps_.isRunning() && !state_.latency.isRunning() && sideIsDone(main_) &&
+           (!needsOther() || sideIsDone(other_));
 }
 
 bool Viewer::isWaiting() const {
-    return waitFrames_ > 0 || fps_.isRunning() || (holdFrames_ > 0 && !isDone()) ||
+    return waitFrames_ > 0 || fps_.isRunning() || state_.latency.isRunning() || input_.isClicking() ||
+           watchesToGo_ > 0 || (holdFrames_ > 0 && !isDone()) ||
            (!awaited_.empty() && !std::filesystem::exists(awaited_));
 }
 
@@ -191,12 +224,23 @@ void Viewer::takeInput(double seconds) {
     }
 }
 
-void Viewer::showPanels() {
-    if (!main_.exists()) return;
-    const PanelAnswer answer = drawPanels({state_, main_, other_, comparison_, fps_, device_,
-                                           presenter_.swapchain().describe(), reference_.has_value(), heldLight_});
+std::vector<std::string> Viewer::showPanels(double seconds) {
+    Clock::time_point start = Clock::now();
+    input_.beginFrame(script_.empty() ? 0.0 : kScriptedFrame);
+    double spent = secondsSince(start);
+    takeLatencyInput();
+    takeInput(seconds);
+    start = Clock::now();
+    PanelAnswer answer;
+    if (main_.exists())
+        answer = drawPanels({state_, main_, other_, comparison_, fps_, device_, presenter_.swapchain().describe(),
+                             reference_.has_value(), isRescaled_, heldLight_});
+    ImGui::Render();
+    spent += secondsSince(start);
+    state_.panelCpu.add(1e3 * spent + presenter_.uploadMilliseconds());
     if (answer.isDragging) secondsSinceMove_ = 0.0;
-    for (const std::string& command : answer.commands) perform(parseCommand(command, "panel"));
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state_.lightHistory.letGo();
+    return answer.commands;
 }
 
 void Viewer::tell(std::string message, bool isError) {

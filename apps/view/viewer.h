@@ -7,7 +7,10 @@
 #include "apps/view/input.h"
 #include "apps/view/presenter.h"
 #include "apps/view_model/camera_motion.h"
+#include "apps/view_model/latency_probe.h"
+#include "apps/view_model/light_history.h"
 #include "apps/view_model/playable_scene.h"
+#include "apps/view_model/recent_values.h"
 #include "apps/view_model/script.h"
 #include "apps/view_model/shader_reloader.h"
 #include "apps/view_model/time_history.h"
@@ -30,6 +33,21 @@ struct ViewerOptions {
     TypedSettings viewSettings;
 };
 
+/// Numbers of the frames as the panels show them: not as quickly as they change, so that they can be read, and panels
+/// need not be drawn every frame.
+struct ShownNumbers {
+    TimeHistory times;
+    double panelCpu = 0.0;  // milliseconds
+    double panelGpu = 0.0;
+    uint32_t frames = 0;
+    glm::uvec2 size{0};
+    uint32_t vplCount = 0;
+    bool isMoving = false;
+    FrameQuality quality;
+    CameraPose pose;
+    double speed = 0.0;  // of the camera
+};
+
 /// What the panels tell of; they change it by commands only.
 struct ViewState {
     ViewSettings view;
@@ -42,6 +60,10 @@ struct ViewState {
     FrameBudget budget;
     FrameQuality quality;
     TimeHistory times;
+    RecentValues panelCpu;  // milliseconds of a frame: building, and copying what is drawn
+    ShownNumbers shown;
+    LatencyProbe latency;
+    LightHistory lightHistory;
     std::string message;
     double messageSeconds = 0.0;  // that it is still to be seen
     bool isError = false;
@@ -70,13 +92,18 @@ class Viewer {
     void frame();
     void followScript();
     void takeInput(double seconds);
+    void followScreen();
+    void refreshNumbers(double seconds);
     void reloadShaders();
+    void takeShaders(const std::vector<CompiledShader>& compiled);
+    void takeLatencyInput();
+    void followLatency();
     void measureFps();
     void followAnimation(double seconds);
     void render();
     void renderSide(Side& side, const SideView& view);
     void compareSides();
-    void showPanels();
+    std::vector<std::string> showPanels(double seconds);
     void present(double since);
     bool isDone() const;
     bool isWaiting() const;
@@ -89,18 +116,25 @@ class Viewer {
     void performCommand(const Command& command);
     bool performFileCommand(const Command& command);
     bool performLightCommand(const Command& command);
+    bool performWindowCommand(const Command& command);
+    void pretendInput(const Command& command);
     void set(const std::string& option, const std::string& value);
     void chooseNext(const std::string& option);
     void startFps(const Command& command);
     void stopFps();
     void changeLight(const Command& command);
-    void lightsHaveChanged();
+    void changeEmission(const Command& command);
+    void undoLights();
+    LightState lightState() const;
+    void relight();
+    void startLatency(const Command& command);
     void tell(std::string message, bool isError = false);
     void copyView();
     void saveView(std::filesystem::path file);
     void capture(std::filesystem::path file);
     void writeReport(const std::filesystem::path& file);
     Json viewJson(const std::filesystem::path& target) const;
+    std::optional<double> moment() const;
     std::filesystem::path freshName(const char* extension) const;
 
     ViewerOptions options_;
@@ -119,15 +153,23 @@ class Viewer {
     std::vector<Command> script_;
     size_t nextLine_ = 0;
     uint32_t waitFrames_ = 0;        // of the script
+    uint32_t watchesToGo_ = 0;       // looks at the shaders that the script waits for
     std::filesystem::path awaited_;  // a file that the script waits for
     uint32_t holdFrames_ = 0;        // the script wants the mean of so many; 0: no wish
     std::chrono::steady_clock::time_point lastFrame_;
     double secondsSinceMove_ = 1e9;
+    double secondsSinceNumbers_ = 1e9;
+    glm::uvec2 windowSize_{1};   // in pixels, before it was minimised
+    CameraMotion motionBefore_;  // the measurement of latency
+    bool cameraMovedBefore_ = false;
+    Camera cameraBefore_;              // the last input of it
+    bool isRescaled_ = false;          // the panels are to be laid out again
     std::optional<size_t> heldLight_;  // by the mouse, which does not turn the camera then
     std::vector<PassTime> passTimes_;  // of the frame at hand
     glm::uvec2 comparedFrames_{0};     // of both sides
     std::chrono::steady_clock::time_point comparedAt_;
     std::chrono::steady_clock::time_point watchedAt_;
+    std::chrono::steady_clock::time_point start_;
     uint64_t frames_ = 0;
 };
 

@@ -114,9 +114,23 @@ void Viewer::present(double since) {
 }
 
 void Viewer::reloadShaders() {
-    if (secondsSince(watchedAt_) < kWatchPeriod) return;
-    watchedAt_ = Clock::now();
-    for (const CompiledShader& shader : reloader_->compileChanged()) {
+    if (!reloader_->isRunning() && (watchesToGo_ > 0 || secondsSince(watchedAt_) >= kWatchPeriod)) {
+        watchedAt_ = Clock::now();
+        reloader_->start();
+    }
+    try {
+        const std::optional<std::vector<CompiledShader>> compiled = reloader_->take();
+        if (!compiled) return;
+        watchesToGo_ -= watchesToGo_ > 0 ? 1 : 0;
+        takeShaders(*compiled);
+    } catch (const Error& error) {
+        watchesToGo_ = 0;
+        state_.shaderProblem = error.what();
+    }
+}
+
+void Viewer::takeShaders(const std::vector<CompiledShader>& compiled) {
+    for (const CompiledShader& shader : compiled) {
         state_.shaderProblem = shader.problem;
         if (!shader.problem.empty()) break;
         presenter_.finish();

@@ -87,11 +87,22 @@ void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 
 bool Window::isMinimised() const {
     const glm::uvec2 size = framebufferSize();
-    return size.x == 0 || size.y == 0 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
+    return isMadeMinimised_ || size.x == 0 || size.y == 0 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED) == GLFW_TRUE;
+}
+
+void Window::minimise() {
+    glfwIconifyWindow(window_);
+    isMadeMinimised_ = true;
+}
+
+void Window::restore() {
+    glfwRestoreWindow(window_);
+    isMadeMinimised_ = false;
 }
 
 glm::uvec2 Window::framebufferSize() const {
     glm::ivec2 size{0};
+    if (isMadeMinimised_) return size;
     glfwGetFramebufferSize(window_, &size.x, &size.y);
     return size;
 }
@@ -104,6 +115,20 @@ float Window::contentScale() const {
     float y = 1.0f;
     glfwGetWindowContentScale(window_, &x, &y);
     return std::max(x, 1.0f);
+}
+
+float Window::pixelsPerUnit() const {
+    glm::ivec2 pixels{0};
+    glm::ivec2 units{0};
+    glfwGetFramebufferSize(window_, &pixels.x, &pixels.y);
+    glfwGetWindowSize(window_, &units.x, &units.y);
+    return pixels.x > 0 && units.x > 0 ? static_cast<float>(pixels.x) / static_cast<float>(units.x) : 1.0f;
+}
+
+void Window::drop(const std::vector<std::string>& files) {
+    std::vector<const char*> paths;
+    for (const std::string& file : files) paths.push_back(file.c_str());
+    onDrop(window_, static_cast<int>(paths.size()), paths.data());
 }
 
 std::vector<std::filesystem::path> Window::takeDroppedFiles() { return std::exchange(dropped_, {}); }

@@ -23,6 +23,7 @@ const std::vector<KeyBinding>& keyBindings() {
         {"c", "next clamp", "next clamp mode"},
         {"m", "next tone-map", "next tone curve"},
         {"p", "next play", "play the animation, or pause it"},
+        {"z", "undo", "take back the last change of lights"},
         {"x", "next compare", "split screen, difference, neither"},
         {"f5", "restart", "forget the frames so far"},
         {"f6", "copy-view", "copy the view"},

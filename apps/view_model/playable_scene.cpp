@@ -1,37 +1,42 @@
 #include "apps/view_model/playable_scene.h"
 
+#include "engine/scene/emission_scale.h"
+#include "engine/scene/sidecar.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace manylight {
 namespace {
 
-constexpr double kSampleRate = 24.0;  // a second: where the frame of the scene looks for what moves
-constexpr double kMostSamples = 240.0;
-
-/// `first` and moments from the start to the end.
-std::vector<double> samplesOf(double first, double end) {
-    std::vector<double> times{first};
-    const double count = std::clamp(std::ceil(end * kSampleRate), 1.0, kMostSamples);
-    for (double i = 0.0; i <= count; ++i) times.push_back(end * (i / count));
-    return times;
+std::vector<float> emissionScales(const Scene& scene) {
+    std::vector<float> scales;
+    for (const Material& material : scene.materials) scales.push_back(material.emissionScale);
+    return scales;
 }
 
 }  // namespace
 
-PlayableScene::PlayableScene(const std::filesystem::path& path, InstanceMode instances, double time)
-    : still_(std::make_unique<Scene>(importScene(path, {.instances = instances, .time = time}))),
-      end_(still_->animationEnd) {
-    if (end_ <= 0.0) return;
-    still_.reset();  // before it is read again, for its memory
-    time_ = std::min(time, end_);
-    moving_ = std::make_unique<AnimatedScene>(path, ImportOptions{.instances = instances}, samplesOf(time_, end_));
+PlayableScene::PlayableScene(const std::filesystem::path& path, InstanceMode instances, std::optional<double> time) {
+    std::shared_ptr<const GltfFile> opened;
+    ImportOptions options{.instances = instances, .opened = &opened};
+    end_ = animationEndOf(path, options);
+    if (end_ > 0.0) {
+        time_ = std::min(time ? *time : savedMoment(path).value_or(0.0), end_);
+        moving_ = std::make_unique<AnimatedScene>(path, options, samplesOfMotion(end_), time_);
+    } else {
+        options.time = 0.0;  // nothing moves, but weights of morph targets may be set
+        still_ = std::make_unique<Scene>(importScene(path, options));
+    }
 }
 
 AnimatedScene::Change PlayableScene::moveTo(double time, bool keepsLights) {
     const std::vector<Light> kept = keepsLights ? scene().lights : std::vector<Light>{};
+    const std::vector<float> scales = emissionScales(scene());
     const AnimatedScene::Change change = moving_->moveTo(time);
     if (keepsLights) scene().lights = kept;
+    if (change == AnimatedScene::Change::Everything && scales.size() == scene().materials.size())
+        for (size_t i = 0; i < scales.size(); ++i) scaleEmission(scene().materials[i], scales[i]);
     time_ = time;
     return change;
 }

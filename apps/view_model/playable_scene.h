@@ -9,15 +9,16 @@ namespace manylight {
 class PlayableScene {
   public:
     PlayableScene() = default;
-    /// Reads the file at `time` seconds, or at the end if that is later. Throws Error as importScene() does.
-    PlayableScene(const std::filesystem::path& path, InstanceMode instances, double time);
+    /// Reads the file, once, at `time` seconds, or at the end if that is later; none: where its sidecar says, or at the
+    /// start. Throws Error as importScene() does.
+    PlayableScene(const std::filesystem::path& path, InstanceMode instances, std::optional<double> time);
 
     /// At one address as long as it is not replaced. Its lights may be changed.
     Scene& scene() { return moving_ ? moving_->scene() : *still_; }
     bool isAnimated() const { return moving_ != nullptr; }
     double end() const { return end_; }  // seconds; 0: nothing moves
     double time() const { return time_; }
-    /// Of an animated scene only. `keepsLights`: they stay where they are.
+    /// Of an animated scene only. `keepsLights`: they stay where they are. Scales of emission stay in any case.
     AnimatedScene::Change moveTo(double time, bool keepsLights);
 
   private:

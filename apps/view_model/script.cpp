@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -58,12 +59,21 @@ const std::vector<CommandHelp>& commandHelps() {
         {"open", "FILE", 1, 1, "another scene"},
         {"add-light", "TYPE", 1, 1, "point, spot or directional, before the camera"},
         {"light", "N brightness|position|direction|remove VALUE...", 2, 5, "change a light"},
-        {"fps-table", "[VPLS...]", 0, 8, "measure forward and deferred over VPL counts; once more: stop"},
+        {"emission", "N FACTOR", 2, 2,
+         "what emissive surface N of the list emits, as a multiple of what its file says"},
+        {"undo", "", 0, 0, "take back the last change of lights"},
+        {"fps-table", "[VPLS...|off]", 0, 8,
+         "measure forward and deferred over VPL counts; once more: stop; off: close"},
+        {"latency", "[INPUTS]", 0, 1, "measure how long the picture takes to follow the mouse"},
         {"restart", "", 0, 0, "forget the frames so far"},
         {"key", "NAME [FRAMES]", 1, 2, "hold a key down"},
         {"drag", "left|right DX DY [FRAMES]", 3, 4, "move the mouse with a button down, pixels a frame"},
         {"wheel", "NOTCHES", 1, 1, "turn the mouse wheel"},
+        {"click", "X Y", 2, 2, "press and release the left mouse button on a panel, at a pixel of the window"},
         {"resize", "WIDTH HEIGHT", 2, 2, "the window's size"},
+        {"iconify", "", 0, 0, "minimise the window"},
+        {"restore", "", 0, 0, "show it again"},
+        {"drop", "FILE...", 1, 8, "drop files onto the window"},
         {"wait", "FRAMES", 1, 1, "show so many frames"},
         {"wait-for", "FILE", 1, 1, "show frames until the file exists"},
         {"watch", "", 0, 0, "look at the shaders now (--watch-shaders)"},
@@ -80,6 +90,13 @@ double Command::number(size_t index) const {
     if (error != std::errc{} || end != text.data() + text.size())
         fail("{}: {}: expected a number, found '{}'", place, name(), text);
     return value;
+}
+
+uint32_t Command::whole(size_t index, uint32_t low, uint32_t high) const {
+    const double value = number(index);
+    if (!(value >= low && value <= high) || value != std::floor(value))
+        fail("{}: {}: expected a whole number from {} to {}, found {}", place, name(), low, high, words[index]);
+    return static_cast<uint32_t>(value);
 }
 
 Command parseCommand(std::string_view line, const std::string& place) {

@@ -1,6 +1,7 @@
 // Scripted input: one command a line, the same commands that keys and buttons give.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ struct Command {
     const std::string& name() const { return words.front(); }
     /// Number `index`, counted from 1 behind the name. Throws Error naming the place.
     double number(size_t index) const;
+    /// The same, of a whole number in a range.
+    uint32_t whole(size_t index, uint32_t low, uint32_t high) const;
 };
 
 /// What there is to type.

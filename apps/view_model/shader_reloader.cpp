@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 
@@ -92,6 +93,15 @@ std::vector<CompiledShader> ShaderReloader::compileChanged() {
             }
     }
     return compiled;
+}
+
+void ShaderReloader::start() {
+    if (!isRunning()) running_ = std::async(std::launch::async, [this] { return compileChanged(); });
+}
+
+std::optional<std::vector<CompiledShader>> ShaderReloader::take() {
+    if (!isRunning() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+    return running_.get();
 }
 
 CompiledShader ShaderReloader::compile(const fs::path& entryPoint) const {

@@ -4,7 +4,9 @@
 #include "engine/gpu/pipeline.h"
 
 #include <filesystem>
+#include <future>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,6 +28,12 @@ class ShaderReloader {
     /// The shaders that changed since the last call, compiled by glslangValidator.
     std::vector<CompiledShader> compileChanged();
 
+    /// compileChanged() on a thread of its own, if none is at it.
+    void start();
+    bool isRunning() const { return running_.valid(); }
+    /// What the thread compiled, once; empty until it is done. Throws what compileChanged() threw.
+    std::optional<std::vector<CompiledShader>> take();
+
   private:
     using Time = std::filesystem::file_time_type;
     std::map<std::filesystem::path, Time> sourceTimes() const;
@@ -34,6 +42,7 @@ class ShaderReloader {
 
     std::filesystem::path tree_;
     std::map<std::filesystem::path, Time> known_;
+    std::future<std::vector<CompiledShader>> running_;  // last, so that it ends first
 };
 
 }  // namespace manylight

@@ -1,6 +1,7 @@
 #include "apps/view_model/sidecar_writer.h"
 
 #include "engine/core/file.h"
+#include "engine/scene/emission_scale.h"
 #include "engine/scene/json_view.h"
 #include "engine/scene/scene_file.h"
 
@@ -19,14 +20,40 @@ fs::path relativeTo(const fs::path& file, const fs::path& folder) {
     return relative.empty() ? fs::absolute(file) : relative;
 }
 
-/// Lights of the scene as they are now, and the rectangles of the old list, which are surfaces by now.
-Json lightsJson(const Scene& scene, const Json& old) {
+/// The lights that a sidecar lists, with names that do not depend on their places and images as seen from `folder`.
+Json listedLights(const Json& sidecar, const fs::path& from, const fs::path& folder) {
+    Json lights = sidecar.value("lights", Json::array());
+    for (size_t i = 0; i < lights.size(); ++i) {
+        Json& light = lights[i];
+        if (!light.contains("name")) light["name"] = fmt::format("{} {}", light.value("type", ""), i);
+        if (light.contains("image"))
+            light["image"] = relativeTo(from / light["image"].get<std::string>(), folder).generic_string();
+    }
+    return lights;
+}
+
+/// Lights of the scene as they are now, and those of the old list that are no such lights: rectangles are surfaces.
+Json changedLights(const Scene& scene, const Json& listed) {
     Json lights = Json::array();
     for (const Light& light : scene.lights) lights.push_back(lightJson(light, scene.frame));
-    if (old.contains("lights"))
-        for (const Json& light : old["lights"])
-            if (light.value("type", "") == "rect_area") lights.push_back(light);
+    for (const Json& light : listed)
+        if (light.value("type", "") == "rect_area" || light.value("type", "") == "environment") lights.push_back(light);
     return lights;
+}
+
+Json emissionJson(const Scene& scene) {
+    Json scales = Json::object();
+    for (const SurfaceEmitter& emitter : surfaceEmitters(scene))
+        if (emitter.scale != 1.0f) scales[emitter.material] = emitter.scale;
+    return scales;
+}
+
+/// A key that says nothing is left out.
+void setOrErase(Json& json, const char* key, const Json& value) {
+    if (value.empty())
+        json.erase(key);
+    else
+        json[key] = value;
 }
 
 }  // namespace
@@ -60,6 +87,8 @@ Json lightJson(const Light& light, const SceneFrame& frame) {
             json["radiance"] = vectorJson(glm::dvec3(light.emission));
             break;
     }
+    const bool hasRange = light.type == LightType::Point || light.type == LightType::Spot;
+    if (hasRange && std::isfinite(light.range)) json["range"] = unit * double{light.range};
     return json;
 }
 
@@ -74,15 +103,22 @@ Json sidecarOf(const ViewToSave& view, const fs::path& target) {
         json["scene"] = relativeTo(source, folder).generic_string();
     }
     if (view.pose) json["camera"] = toJson(*view.pose, view.resolution);
+    const Json listed = listedLights(json, source.parent_path(), folder);
+    if (json.contains("lights")) json["lights"] = listed;
     if (view.lightsChanged) {
-        json["lights"] = lightsJson(view.scene, json);
+        json["lights"] = changedLights(view.scene, listed);
         json["use_gltf_lights"] = false;
     }
+    setOrErase(json, "emission", emissionJson(view.scene));
+    if (view.moment) json["at"] = *view.moment;
     Json settings = Json::object();
     const Json all = toJson(view.settings);
     for (const auto& [option, value] : all.items())
         if (!value.is_null() && option != "size") settings[option] = value;
-    if (view.pose) settings.erase("camera");  // the sidecar has one camera
+    if (view.pose)
+        settings.erase("camera");  // the sidecar has one camera, which knows the size
+    else
+        settings["size"] = fmt::format("{}x{}", view.resolution.x, view.resolution.y);
     json["settings"] = settings;
     return json;
 }

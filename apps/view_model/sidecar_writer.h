@@ -14,6 +14,7 @@ struct ViewToSave {
     glm::uvec2 resolution{0};
     const RenderSettings& settings;
     bool lightsChanged = false;
+    std::optional<double> moment = std::nullopt;  // of the animation, in seconds
 };
 
 /// A light as docs/scenes.md writes it, in the scene's own units.

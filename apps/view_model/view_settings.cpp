@@ -69,6 +69,7 @@ const std::vector<Setting>& settingTable() {
         switchSetting<&S::panel>("panel", "the panels"),
         switchSetting<&S::timings>("timings", "the panel of times"),
         switchSetting<&S::help>("keys", "the list of keys"),
+        numberSetting<&S::panelScale>("panel-scale", "X", "size of text and panels (0: as the screen asks for)", 0, 4),
         choiceSetting<&S::navigation>("navigation", "fly|orbit", "what mouse and keys do to the camera"),
         numberSetting<&S::budget>("budget", "MS", "milliseconds a frame may take while something moves (0: any)", 0,
                                   2000),

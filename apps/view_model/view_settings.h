@@ -16,6 +16,7 @@ struct ViewSettings {
     bool panel = true;
     bool help = false;
     bool timings = true;
+    double panelScale = 0.0;  // of text and panels; 0: as the screen asks for
     Navigation navigation = Navigation::Fly;
     double budget = 80.0;        // milliseconds a frame may take while something moves; 0: no limit
     double pixelScale = 1.0;     // of the picture, per pixel of the window

@@ -66,13 +66,13 @@ void measureSurfaces(GpuScene& gpuScene, const Scene& scene, const InstanceList&
 }
 
 /// From the scene's order of triangles to the BVH's, and to the textures as they were packed.
-void locateEmitters(EmitterTable& table, const Scene& scene, const std::vector<uint32_t>& emissionTextures,
+void locateEmitters(EmitterTable& table, const Scene& scene, const std::vector<shared::Material>& materials,
                     const TriangleNumbers& numbers) {
     for (shared::Emitter& emitter : table.emitters) {
         if (emitter.kind != shared::kEmitterTriangle) continue;
         emitter.triangle = numbers.numberOfFlattened(emitter.triangle);
         const Triangle& triangle = scene.triangles[numbers.sceneTriangle(emitter.triangle)];
-        emitter.emissionTexture = emissionTextures[triangle.material];
+        emitter.emissionTexture = materials[triangle.material].emissionTexture;
     }
 }
 
@@ -130,7 +130,7 @@ EnvironmentTable makeEmitters(GpuScene& gpuScene, const Scene& scene) {
     gpuScene.environmentCellSide = environment.cellSide;
     gpuScene.environmentTurn = environment.turn;
     gpuScene.emitterTable = buildEmitterTable(scene, gpuScene.sphere.radius, environment);
-    locateEmitters(gpuScene.emitterTable, scene, gpuScene.emissionTextures, gpuScene.numbers);
+    locateEmitters(gpuScene.emitterTable, scene, gpuScene.packedMaterials, gpuScene.numbers);
     return environment;
 }
 
@@ -162,8 +162,7 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     gpuScene.instanceCount = plan.instanced ? static_cast<uint32_t>(list.instances.size()) : 0;
     gpuScene.draws = drawsOf(list);
     gpuScene.numbers = TriangleNumbers(list, bvh.triangleOrder);
-    for (const shared::Material& material : packed.materials)
-        gpuScene.emissionTextures.push_back(material.emissionTexture);
+    gpuScene.packedMaterials = packed.materials;
     const EnvironmentTable environment = makeEmitters(gpuScene, scene);
     measureSurfaces(gpuScene, scene, list);
     gpuScene.meshRoots = bvh.roots;
@@ -202,6 +201,7 @@ void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene
     gpuScene.totalBytes -= emitterBytes(gpuScene);
     const EnvironmentTable environment = makeEmitters(gpuScene, scene);
     SceneUploader uploader(device);
+    if (updateEmission(gpuScene.packedMaterials, scene)) uploader.renew(gpuScene.materials, gpuScene.packedMaterials);
     uploadEmitters(gpuScene, environment, plan, uploader);
     uploader.finish();
     gpuScene.totalBytes += emitterBytes(gpuScene);

@@ -6,6 +6,7 @@
 #include "engine/graph/pass_context.h"
 #include "engine/scene/emitters.h"
 #include "engine/scene/scene_plan.h"
+#include "shaders/shared/material.h"
 
 namespace manylight {
 
@@ -32,8 +33,8 @@ struct GpuScene {
     TriangleNumbers numbers;          // of the triangles that the device talks of
     std::vector<uint32_t> meshRoots;  // nodes, before those of the upper level are counted
     std::vector<Bounds> instanceBounds;
-    std::vector<uint32_t> emissionTextures;  // of the materials
-    std::vector<DrawRange> draws;            // all triangles, for rasterisation
+    std::vector<shared::Material> packedMaterials;  // as uploaded
+    std::vector<DrawRange> draws;                   // all triangles, for rasterisation
     EmitterTable emitterTable;
     BoundingSphere sphere;
     double surfaceArea = 0.0;    // of all triangles, normalised frame
@@ -48,7 +49,8 @@ struct GpuScene {
 /// Uploads through staging and waits. Throws Error if the device cannot hold the scene.
 GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh);
 
-/// After a change of the scene's lights; its surfaces are those that were uploaded. The device must be idle.
+/// After a change of the scene's lights and of what its materials emit; its surfaces are those that were uploaded. The
+/// device must be idle.
 void replaceEmitters(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, const ScenePlan& plan);
 /// After instances and lights of the scene have moved, nothing else: renews the upper level and the emitters. The
 /// number of instances is what it was. The device must be idle.

@@ -91,6 +91,18 @@ uint32_t alphaModeOf(AlphaMode mode) {
 
 }  // namespace
 
+bool updateEmission(std::vector<shared::Material>& packed, const Scene& scene) {
+    bool isChanged = false;
+    for (size_t i = 0; i < packed.size(); ++i) {
+        const Material& material = scene.materials[i];
+        if (packed[i].emittedRadiance == material.emittedRadiance) continue;
+        packed[i].emittedRadiance = material.emittedRadiance;
+        packed[i].meanEmission = static_cast<float>(meanEmission(scene, material));
+        isChanged = true;
+    }
+    return isChanged;
+}
+
 PackedMaterials packMaterials(const Scene& scene, const ScenePlan& plan) {
     PackedMaterials packed;
     TexturePacker textures(scene, plan, packed);

@@ -15,6 +15,9 @@ struct PackedMaterials {
     std::vector<uint8_t> texels;                    // RGBA, of all textures that are used
 };
 
+/// Takes up what materials emit, where that has changed. False: nowhere.
+bool updateEmission(std::vector<shared::Material>& packed, const Scene& scene);
+
 /// Textures that the plan leaves out are kNoTexture, and their texels are not there.
 PackedMaterials packMaterials(const Scene& scene, const ScenePlan& plan);
 

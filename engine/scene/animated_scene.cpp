@@ -6,10 +6,14 @@
 #include "engine/scene/scene_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace manylight {
 namespace {
+
+constexpr double kSampleRate = 24.0;  // a second
+constexpr double kMostSamples = 240.0;
 
 struct RawBox {
     glm::dvec3 low{std::numeric_limits<double>::max()};
@@ -35,11 +39,27 @@ std::vector<uint32_t> meshesOf(const std::vector<RawInstance>& instances) {
 
 }  // namespace
 
-AnimatedScene::AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times)
+double animationEndOf(const std::filesystem::path& path, ImportOptions options) {
+    options.time = 0.0;
+    options.placesOnly = true;
+    return readSceneFile(path, options).animationEnd;
+}
+
+std::vector<double> samplesOfMotion(double end) {
+    const double count = std::clamp(std::ceil(end * kSampleRate), 1.0, kMostSamples);
+    std::vector<double> times;
+    for (double i = 0.0; i <= count; ++i) times.push_back(end * (i / count));
+    return times;
+}
+
+AnimatedScene::AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times,
+                             std::optional<double> time)
     : path_(std::move(path)), options_(options), times_(std::move(times)) {
+    if (options.opened != nullptr) opened_ = *options.opened;
     options_.keepsMoving = true;
     options_.opened = &opened_;
     read(times_.front());
+    if (time && *time != times_.front()) moveTo(*time);
 }
 
 RawScene AnimatedScene::placesAt(double time) const {

@@ -6,17 +6,28 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace manylight {
 
+/// Seconds of the animation of a scene file, 0 if nothing moves; meshes are not read. The file is kept open where
+/// `options` say, so that AnimatedScene or importScene() need not read it again. Throws Error as importScene() does.
+double animationEndOf(const std::filesystem::path& path, ImportOptions options);
+
+/// Moments from the start to the end at which a frame of the scene looks for what moves.
+std::vector<double> samplesOfMotion(double end);
+
 class AnimatedScene {
   public:
     /// Reads the scene at the first of `times` (seconds, at least one), in a frame that holds what moves at all of
-    /// them. Throws Error as importScene() does.
-    AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times);
+    /// them, and then moves to `time`, if one is given. Throws Error as importScene() does.
+    AnimatedScene(std::filesystem::path path, const ImportOptions& options, std::vector<double> times,
+                  std::optional<double> time = std::nullopt);
 
     const Scene& scene() const { return scene_; }
+    Scene release() { return std::move(scene_); }
     /// For who changes its lights; moveTo() puts back those that the file has.
     Scene& scene() { return scene_; }
 

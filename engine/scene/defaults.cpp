@@ -17,16 +17,15 @@ float halfDiagonal(const Scene& scene) {
     return half > 0.0f ? half : 0.5f;
 }
 
-bool isEmitter(const Material& material) { return material.emittedRadiance != glm::vec3(0.0f); }
-
-size_t countEmissiveTriangles(const Scene& scene) {
+size_t countEmissiveTriangles(const Scene& scene, glm::vec3 Material::*radiance = &Material::emittedRadiance) {
     return static_cast<size_t>(std::count_if(scene.triangles.begin(), scene.triangles.end(), [&](const Triangle& t) {
-        return isEmitter(scene.materials[t.material]);
+        return scene.materials[t.material].*radiance != glm::vec3(0.0f);
     }));
 }
 
+/// An emitter that the user put out is none that is missing.
 bool hasAnyLight(const Scene& scene) {
-    return countEmissiveTriangles(scene) > 0 || scene.environment ||
+    return countEmissiveTriangles(scene, &Material::givenRadiance) > 0 || scene.environment ||
            std::any_of(scene.lights.begin(), scene.lights.end(),
                        [](const Light& l) { return l.emission != glm::vec3(0.0f); });
 }

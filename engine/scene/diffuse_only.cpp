@@ -10,7 +10,9 @@ Material diffuse(Material&& m) {
             .albedo = m.albedo,
             .albedoTexture = m.albedoTexture,
             .emittedRadiance = m.emittedRadiance,
-            .emissionTexture = m.emissionTexture};
+            .emissionTexture = m.emissionTexture,
+            .givenRadiance = m.givenRadiance,
+            .emissionScale = m.emissionScale};
 }
 
 /// Removes the textures that neither albedo nor emission need, and counts again.

@@ -66,11 +66,11 @@ tinygltf::Model parseModel(const GltfContainer& container) {
     return model;
 }
 
-std::shared_ptr<const GltfFile> open(const std::filesystem::path& path, Warnings& warnings) {
+std::shared_ptr<const GltfFile> open(const std::filesystem::path& path) {
     const auto gltf = std::make_shared<GltfFile>();
-    gltf->container = openGltf(path, warnings);
-    checkGltf(JsonView(gltf->container.json, gltf->container.file), warnings);
-    loadGltfBuffers(gltf->container, warnings);
+    gltf->container = openGltf(path, gltf->warnings);
+    checkGltf(JsonView(gltf->container.json, gltf->container.file), gltf->warnings);
+    loadGltfBuffers(gltf->container, gltf->warnings);
     gltf->mostElements = mostElementsFor(gltf->container.byteCount);
     gltf->model = parseModel(gltf->container);
     if (gltf->container.json.contains("bufferViews")) gltf->viewCount = gltf->container.json["bufferViews"].size();
@@ -85,8 +85,9 @@ RawScene readGltf(const std::filesystem::path& path, const ImportOptions& option
     scene.name = path.stem().string();
     scene.path = path;
     std::shared_ptr<const GltfFile> gltf = options.opened ? *options.opened : nullptr;
-    if (!gltf) gltf = open(path, scene.warnings);
+    if (!gltf) gltf = open(path);
     if (options.opened) *options.opened = gltf;
+    scene.warnings.merge(gltf->warnings);
     if (!options.time && gltf->container.json.contains("animations"))
         scene.warnings.add("animations ignored: nodes keep their rest pose", {},
                            gltf->container.json["animations"].size());

@@ -14,6 +14,7 @@ struct GltfFile {
     GltfContainer container;
     tinygltf::Model model;
     size_t mostElements = 0;  // vertices, triangles or drawn primitives that the scene may get from a file of this size
+    Warnings warnings;        // of the file as a whole
     size_t viewCount = 0;     // an accessor whose bufferView is not below has no data: zeros, unless sparse
 };
 

@@ -1,12 +1,14 @@
 #include "engine/scene/import.h"
 
 #include "engine/core/error.h"
+#include "engine/scene/animated_scene.h"
 #include "engine/scene/gltf.h"
 #include "engine/scene/normalise.h"
 #include "engine/scene/obj.h"
 #include "engine/scene/scene_file.h"
 #include "engine/scene/sidecar.h"
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 
@@ -24,7 +26,7 @@ SceneFileKind sceneFileKind(const std::filesystem::path& path) {
 RawScene readSceneFile(const std::filesystem::path& path, const ImportOptions& options) {
     switch (sceneFileKind(path)) {
         case SceneFileKind::Obj:
-            return readObj(path);
+            return options.placesOnly ? RawScene{} : readObj(path);  // nothing in it moves
         case SceneFileKind::Gltf:
             return readGltf(path, options);
         case SceneFileKind::Sidecar:
@@ -35,9 +37,24 @@ RawScene readSceneFile(const std::filesystem::path& path, const ImportOptions& o
     fail("{}: unknown kind of scene, expected .obj, .gltf, .glb or a .json sidecar", path.string());
 }
 
+namespace {
+
+/// A moment that a sidecar asks for looks as it does where the animation is played: in the frame of all its motion.
+Scene readAndNormalise(const std::filesystem::path& path, ImportOptions options) {
+    const std::optional<double> moment = options.time ? std::nullopt : savedMoment(path);
+    if (!moment) return normalise(readSceneFile(path, options));
+    std::shared_ptr<const GltfFile> opened;
+    if (options.opened == nullptr) options.opened = &opened;
+    const double end = animationEndOf(path, options);
+    if (end <= 0.0) return normalise(readSceneFile(path, options));
+    return AnimatedScene(path, options, samplesOfMotion(end), std::min(*moment, end)).release();
+}
+
+}  // namespace
+
 Scene importScene(const std::filesystem::path& path, const ImportOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    Scene scene = normalise(readSceneFile(path, options));
+    Scene scene = readAndNormalise(path, options);
     scene.importReport["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return scene;
 }

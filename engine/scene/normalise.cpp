@@ -118,7 +118,10 @@ void addRectLights(RawScene& raw) {
     for (const RawRectLight& rect : raw.rectLights) {
         const auto first = static_cast<uint32_t>(raw.vertices.size());
         const auto material = static_cast<uint32_t>(raw.materials.size());
-        raw.materials.push_back({.name = rect.name, .albedo = glm::dvec3(0.0), .emittedRadiance = rect.radiance});
+        raw.materials.push_back({.name = rect.name,
+                                 .albedo = glm::dvec3(0.0),
+                                 .emittedRadiance = rect.radiance,
+                                 .emissionScale = rect.emissionScale});
         const glm::dvec2 corners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
         for (const glm::dvec2& corner : corners)
             raw.vertices.push_back({.position = rect.center + corner.x * rect.u + corner.y * rect.v});

@@ -1,4 +1,5 @@
 #include "engine/core/check.h"
+#include "engine/scene/emission_scale.h"
 #include "engine/scene/normalise_parts.h"
 
 #include <algorithm>
@@ -81,7 +82,8 @@ void convertMaterials(const RawScene& raw, Scene& scene) {
         Material material = source.surface;
         material.name = source.name;
         material.albedo = repairedAlbedo(source, scene.warnings);
-        material.emittedRadiance = repairedEmission(source.emittedRadiance, source.name, scene.warnings);
+        material.givenRadiance = repairedEmission(source.emittedRadiance, source.name, scene.warnings);
+        scaleEmission(material, source.emissionScale);
         repairSurface(material, scene, scene.warnings);
         scene.materials.push_back(std::move(material));
     }

@@ -32,12 +32,13 @@ struct RawTriangle {
 };
 
 /// As a file says it, in double precision and not yet checked; `surface` holds the rest. Its own albedo and
-/// emittedRadiance mean nothing.
+/// emissions mean nothing.
 struct RawMaterial {
     std::string name;
     glm::dvec3 albedo{0.8};
     glm::dvec3 emittedRadiance{0.0};
     Material surface{};
+    float emissionScale = 1.0f;
 };
 
 /// The fields of Light in file units; `direction` may have any length.
@@ -68,6 +69,7 @@ struct RawRectLight {
     glm::dvec3 u{0.0};
     glm::dvec3 v{0.0};
     glm::dvec3 radiance{0.0};
+    float emissionScale = 1.0f;
 };
 
 /// `forward` and `up` may have any length and need not be perpendicular.

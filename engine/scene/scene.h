@@ -75,6 +75,10 @@ struct Material {
     float alphaCutoff = 0.5f;
     bool culled = false;  // the camera looks through its back, which light does not: single-sided as in glTF
     bool unlit = false;   // shows its albedo as radiance to the camera, and is black and dark to everything else
+
+    // emittedRadiance is emissionScale * givenRadiance: see scaleEmission().
+    glm::vec3 givenRadiance{0.0f};  // as the scene file has it
+    float emissionScale = 1.0f;     // the user's
 };
 
 /// Three corners of unified vertices plus a material: indices into Scene::vertices and Scene::materials.

@@ -2,6 +2,7 @@
 
 #include "engine/core/file.h"
 #include "engine/image/image_io.h"
+#include "engine/scene/emission_scale.h"
 #include "engine/scene/json_view.h"
 #include "engine/scene/scene_file.h"
 
@@ -153,19 +154,60 @@ int readMaxDepth(const JsonView& view) {
     return depth;
 }
 
+std::optional<double> readMoment(const JsonView& root) {
+    if (!root.has("at")) return std::nullopt;
+    const double moment = root.at("at").number();
+    if (!(moment >= 0.0)) root.at("at").failExpected("seconds, 0 or more");
+    return moment;
+}
+
+float readEmissionScale(const JsonView& view) {
+    const double scale = view.number();
+    if (!(scale >= 0.0 && scale <= double{kLargestEmissionScale}))
+        view.failExpected(fmt::format("a factor in [0, {}]", kLargestEmissionScale));
+    return static_cast<float>(scale);
+}
+
+/// Of surfaces, by the names of their materials.
+void scaleEmissions(const JsonView& emissions, RawScene& scene) {
+    for (const auto& [name, value] : emissions.expectObject().json().items()) {
+        const float scale = readEmissionScale(emissions.at(name));
+        bool isFound = false;
+        const auto take = [&](auto& surfaces) {
+            for (auto& surface : surfaces)
+                if (surface.name == name) surface.emissionScale = scale, isFound = true;
+        };
+        take(scene.materials);
+        take(scene.rectLights);
+        if (!isFound) emissions.at(name).failExpected("the name of a material, or of a rect_area");
+    }
+}
+
 /// Everything but the scene file itself, so that a mistake in the sidecar is told before a large file is read.
 RawScene readOwnKeys(const JsonView& root) {
-    root.expectKeys({"name", "scene", "max_depth", "camera", "lights", "use_gltf_lights", "settings"});
+    root.expectKeys(
+        {"name", "scene", "max_depth", "camera", "lights", "use_gltf_lights", "emission", "at", "settings"});
     RawScene own;
     if (root.has("name")) own.name = root.at("name").text();
     if (root.has("max_depth")) own.maxDepth = readMaxDepth(root.at("max_depth"));
     if (root.has("camera")) own.cameras.push_back(readCamera(root.at("camera")));
     if (root.has("settings")) own.settings = root.at("settings").expectObject().json();
     replaceLights(root, own);
+    if (root.has("emission"))
+        for (const auto& [name, value] : root.at("emission").expectObject().json().items())
+            readEmissionScale(root.at("emission").at(name));
+    readMoment(root);
     return own;
 }
 
 }  // namespace
+
+std::optional<double> savedMoment(const std::filesystem::path& path) {
+    if (sceneFileKind(path) != SceneFileKind::Sidecar) return std::nullopt;
+    const std::string file = path.string();
+    const Json json = parseJson(readTextFile(path), file);
+    return readMoment(JsonView(json, file).expectObject());
+}
 
 RawScene readSidecar(const std::filesystem::path& path, const ImportOptions& options) {
     const std::string file = path.string();
@@ -179,13 +221,19 @@ RawScene readSidecar(const std::filesystem::path& path, const ImportOptions& opt
     std::error_code refused;  // a name may be longer than the system takes
     if (!std::filesystem::exists(named, refused)) root.at("scene").failExpected("an existing file");
 
-    RawScene scene = readSceneFile(named, options);
+    ImportOptions ofFile = options;
+    if (!options.time) ofFile.time = readMoment(root);
+    RawScene scene = readSceneFile(named, ofFile);
+    if (root.has("at") && scene.animationEnd <= 0.0)
+        scene.warnings.add("moments of an animation ignored: nothing moves", root.at("at").place());
     if (!own.name.empty()) scene.name = std::move(own.name);
     scene.path = path;
     scene.maxDepth = own.maxDepth;
     scene.settings = std::move(own.settings);
     if (!own.cameras.empty()) scene.cameras = std::move(own.cameras);
     replaceLights(root, scene);
+    if (options.placesOnly) return scene;
+    if (root.has("emission")) scaleEmissions(root.at("emission"), scene);
     if (scene.environment) scene.environment->radiance = readEnvironmentImage(scene.environment->file);
     return scene;
 }

@@ -158,7 +158,11 @@ void Renderer::planAgain() {
 }
 
 void Renderer::relight(const Scene& scene) {
-    if (reducedScene_) reducedScene_->lights = scene.lights;
+    if (reducedScene_) {
+        reducedScene_->lights = scene.lights;
+        for (size_t i = 0; i < scene.materials.size(); ++i)
+            reducedScene_->materials[i].emittedRadiance = scene.materials[i].emittedRadiance;
+    }
     MANYLIGHT_CHECK(scene_.triangles.size() == scene.triangles.size(), "relight() with another scene");
     planAgain();
     chooseGBuffer();

@@ -34,7 +34,7 @@ class Renderer {
 
     /// Forgets the frames so far and looks from `camera`, until restart() is given another index than before.
     void lookThrough(const Camera& camera);
-    /// Forgets the frames so far. `scene` is the constructor's with other lights, its surfaces unchanged.
+    /// Forgets the frames so far. `scene` is the constructor's with other lights, or other emission of its materials.
     void relight(const Scene& scene);
     /// Keeps the frames so far, and shows them accordingly if there are any.
     void setDisplay(float exposure, ToneCurve curve);

@@ -46,6 +46,26 @@ TEST_F(RendererChanges, OtherLightsGiveThePictureOfASceneThatHasThem) {
     EXPECT_TRUE(sameBits(frameOf(renderer), render(scene, bouncing())));
 }
 
+TEST_F(RendererChanges, OtherEmissionGivesThePictureOfASceneThatHasIt) {
+    const std::vector<std::pair<Materials, std::vector<float>>> cases = {{Materials::Full, {0.0f, 3.0f}},
+                                                                         {Materials::Diffuse, {0.25f}}};
+    for (const auto& [materials, factors] : cases) {
+        Scene scene = litBox();
+        RenderSettings settings = bouncing();
+        settings.materials = materials;
+        Renderer renderer(device(), scene, settings);
+        const Image before = frameOf(renderer);
+        for (const float factor : factors) {
+            for (size_t i = 0; i < scene.materials.size(); ++i)
+                scene.materials[i].emittedRadiance = factor * litBox().materials[i].emittedRadiance;
+            renderer.relight(scene);
+            const Image changed = frameOf(renderer);
+            EXPECT_FALSE(sameBits(before, changed)) << factor;
+            EXPECT_TRUE(sameBits(changed, render(scene, settings))) << factor;
+        }
+    }
+}
+
 TEST_F(RendererChanges, ASceneThatBecameAnotherGivesItsPicture) {
     Scene scene = litBox();
     RenderSettings settings = bouncing();

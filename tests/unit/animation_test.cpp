@@ -1,4 +1,5 @@
 // Key frames, and scenes that follow them.
+#include "apps/view_model/playable_scene.h"
 #include "engine/scene/animated_scene.h"
 #include "engine/scene/gltf_animation.h"
 #include "engine/scene/instances.h"
@@ -126,6 +127,65 @@ TEST_F(Animated, MovingOnIsTheSameAsReadingAnew) {
         EXPECT_EQ(moved.boundsMax, read.boundsMax);
         EXPECT_LT(glm::length(moved.boundsMax - moved.boundsMin), 2.0f);
     }
+}
+
+TEST_F(Animated, ASidecarsMomentIsThatOfTheAnimationThatPlays) {
+    const std::string file = path();
+    const double end = animationEndOf(file, {});
+    EXPECT_EQ(end, 2.0);
+    AnimatedScene playing(file, {}, samplesOfMotion(end), 0.0);
+    playing.moveTo(1.3);
+    const Scene saved = import("saved.json", R"({"scene": "a.gltf", "at": 1.3})");
+    EXPECT_TRUE(saved.warnings.empty()) << saved.warnings.toText();
+    ASSERT_EQ(saved.instances.size(), playing.scene().instances.size());
+    for (size_t i = 0; i < saved.instances.size(); ++i) {
+        EXPECT_EQ(saved.instances[i].center, playing.scene().instances[i].center);
+        EXPECT_EQ(saved.instances[i].sceneFromMesh, playing.scene().instances[i].sceneFromMesh);
+    }
+    EXPECT_EQ(saved.lights.at(0).position, playing.scene().lights.at(0).position);
+    EXPECT_EQ(saved.cameras.at(0).origin, playing.scene().cameras.at(0).origin);
+    EXPECT_EQ(saved.frame.center, playing.scene().frame.center);
+    EXPECT_EQ(saved.boundsMax, playing.scene().boundsMax);
+
+    const Scene ofTheUser = importScene(folder_ / "saved.json", {.time = 0.5});
+    EXPECT_NEAR(testing::filePosition(ofTheUser, 0, 0).x, 1.0, 1e-6) << "--at goes first";
+    EXPECT_EQ(errorOf("bad.json", R"({"scene": "a.gltf", "at": -1})"),
+              (folder_ / "bad.json").string() + ": at: expected seconds, 0 or more, found -1");
+    write("still.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(import("still.json", R"({"scene": "still.obj", "at": 1})")
+                  .warnings.count("moments of an animation ignored: nothing moves"),
+              1u);
+}
+
+TEST_F(Animated, IsReadOnceWhenItIsOpened) {
+    constexpr size_t kPadding = size_t{1} << 22;
+    json_["extras"] = std::string(kPadding, 'x');
+    const std::string file = path();
+    const auto bytesRead = [] {
+        std::ifstream counters("/proc/self/io");  // of this process
+        std::string name;
+        size_t bytes = 0;
+        counters >> name >> bytes;
+        EXPECT_EQ(name, "rchar:");
+        return bytes;
+    };
+    const size_t before = bytesRead();
+    PlayableScene scene(file, InstanceMode::Auto, 0.5);
+    const size_t read = bytesRead() - before;
+    EXPECT_GE(read, kPadding);
+    EXPECT_LT(read, kPadding + kPadding / 2);
+    EXPECT_TRUE(scene.isAnimated());
+    EXPECT_EQ(scene.time(), 0.5);
+    scene.moveTo(1.0, false);
+    EXPECT_LT(bytesRead() - before, kPadding + kPadding / 2) << "nor when it moves";
+}
+
+TEST_F(Animated, WhatTheFileAsAWholeLacksIsSaidOnce) {
+    json_.erase("scene");  // the first is shown, counted
+    const Scene alone = importScene(path(), {.time = 0.0});
+    PlayableScene opened(path(), InstanceMode::Auto, 0.0);
+    EXPECT_EQ(opened.scene().warnings.total(), alone.warnings.total());
+    EXPECT_GT(alone.warnings.total(), 0u);
 }
 
 TEST_F(Animated, WhatShrinksToNothingOrTurnsInsideOutIsReadAnew) {

@@ -117,6 +117,8 @@ TEST_F(SavedView, KeepsWhatTheSidecarSaysOfOtherThings) {
     changed.lights.front().emission *= 0.5f;
     RenderSettings settings;
     settings.vplCount = 77;
+    settings.width = 64;
+    settings.height = 48;
     const std::filesystem::path file = folder_ / "b.json";
     writeTextFile(file, sidecarOf({changed, std::nullopt, {64, 48}, settings, true}, file).dump());
 

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <thread>
 
 namespace manylight {
 namespace {
@@ -143,6 +144,25 @@ TEST_F(ShaderReload, CompilesWhatChangedOrIncludesItAndTellsWhereAnErrorIs) {
     EXPECT_THAT(compiled[0].problem, HasSubstr("one.comp:4:"));
     EXPECT_THAT(compiled[0].problem, HasSubstr("DARK"));
     EXPECT_TRUE(reloader.compileChanged().empty());
+}
+
+TEST_F(ShaderReload, CompilesOnAThreadOfItsOwn) {
+    write("shaders/passes/two.comp", "#version 460\nvoid main() {}\n");
+    ShaderReloader reloader(folder_);
+    EXPECT_FALSE(reloader.take().has_value()) << "nothing was asked for";
+    const std::filesystem::path file = folder_ / "shaders" / "passes" / "two.comp";
+    std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::seconds(1));
+    reloader.start();
+    EXPECT_TRUE(reloader.isRunning());
+    std::optional<std::vector<CompiledShader>> compiled;
+    for (int i = 0; i < 3000 && !compiled; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        compiled = reloader.take();
+    }
+    ASSERT_TRUE(compiled.has_value());
+    ASSERT_EQ(compiled->size(), 1u);
+    EXPECT_EQ(compiled->front().name, "two.comp");
+    EXPECT_FALSE(reloader.isRunning());
 }
 
 TEST_F(ShaderReload, NeedsASourceTree) {

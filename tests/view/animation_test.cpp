@@ -58,7 +58,10 @@ TEST_F(ViewerAnimation, WhatDeformsIsThePictureWithoutAWindow) {
     json["animations"][0]["samplers"].push_back({{"input", 4}, {"output", 4}});
     json["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", {{"node", 0}, {"path", "weights"}}}});
     write("moving.gltf", json.dump());
-    view("set panel off\nset at 1\nframes 2\ncapture mid.png\nset at 2\nframes 2\ncapture end.png", "--vpls 12");
+    view(
+        "set panel off\nset at 1\nframes 2\ncapture mid.png\nset at 2\nframes 2\ncapture end.png\n"
+        "set at 1.3\nframes 2\ncapture part.png\nsave-view part.json",
+        "--vpls 12");
     const std::string still = fmt::format(
         " moving.gltf --size {}x{} --bounces 2 --light-samples 4 --vpls 12 --frames 2 --animate 0:2:1 -o at_#.png",
         kWidth, kHeight);
@@ -66,11 +69,14 @@ TEST_F(ViewerAnimation, WhatDeformsIsThePictureWithoutAWindow) {
     EXPECT_GT(largestDifference(imageOf("at_1.png"), imageOf("at_2.png")), 20);
     EXPECT_EQ(largestDifference(imageOf("mid.png"), imageOf("at_1.png")), 0);
     EXPECT_EQ(largestDifference(imageOf("end.png"), imageOf("at_2.png")), 0);
+    ASSERT_EQ(run(program("capture") + " part.json --frames 2 -o headless.png"), 0) << textOf("output");
+    EXPECT_EQ(largestDifference(imageOf("part.png"), imageOf("headless.png")), 0);
 }
 
 TEST_F(ViewerAnimation, PlaysPausesAndRefines) {
     view(
-        "frames 1\nset speed 2\nset play on\nwait 2\nkey p\nframes 1\nkey p\nwait 6\nreport playing.json\nframes 2\nreport held.json\nset loop off\nset at 1.9\nwait "
+        "frames 1\nset speed 2\nset play on\nwait 2\nkey p\nframes 1\nkey p\nwait 6\nreport playing.json\nframes "
+        "2\nreport held.json\nset loop off\nset at 1.9\nwait "
         "9\n"
         "report ended.json\nset at 0.25\nframes 3\nreport paused.json",
         "--vpls 4");
@@ -89,6 +95,18 @@ TEST_F(ViewerAnimation, PlaysPausesAndRefines) {
 TEST_F(ViewerAnimation, LightsThatWereChangedStayWhereTheyAre) {
     view("light 0 brightness 0.5\nset at 1\nframes 1\nsave-view moved.json", "--vpls 4");
     EXPECT_NEAR(jsonOf("moved.json")["lights"][0]["position"][0].get<double>(), -0.8, 1e-5);
+}
+
+TEST_F(ViewerAnimation, ASavedViewHoldsTheMoment) {
+    view(
+        "set panel off\nset at 0.61\nkey w 2\nframes 2\ncapture seen.png\nsave-view view.json\nset at 2\nframes 1\n"
+        "open view.json\nframes 2\ncapture opened.png",
+        "--vpls 12");
+    EXPECT_EQ(jsonOf("view.json")["at"], 0.61);
+    ASSERT_EQ(run(program("capture") + " view.json --frames 2 -o headless.png"), 0) << textOf("output");
+    EXPECT_EQ(largestDifference(imageOf("seen.png"), imageOf("headless.png")), 0);
+    EXPECT_EQ(largestDifference(imageOf("seen.png"), imageOf("opened.png")), 0);
+    EXPECT_EQ(jsonOf("end.json")["animation"]["at"], 0.61);
 }
 
 TEST_F(ViewerAnimation, StillScenesHaveNone) {

@@ -27,10 +27,12 @@ class ViewerTest : public testing::SceneFiles {
     Json jsonOf(const std::string& name) const { return Json::parse(textOf(name)); }
     EncodedImage imageOf(const std::string& name) const { return readImage8(folder_ / name); }
 
+    std::string environment_;  // variables for the programs, as a shell sets them
+
     /// Exit code; what it prints goes to the file "output".
     int run(const std::string& command) const {
-        const std::string whole =
-            fmt::format("cd '{}' && MANYLIGHT_VALIDATION=sync timeout 120 {} >output 2>&1", folder_.string(), command);
+        const std::string whole = fmt::format("cd '{}' && {} MANYLIGHT_VALIDATION=sync timeout 120 {} >output 2>&1",
+                                              folder_.string(), environment_, command);
         const int status = std::system(whole.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }

@@ -28,11 +28,13 @@ TEST_F(ViewerWindow, FollowsItsSizeAndShowsItsPanels) {
 TEST_F(ViewerWindow, KeepsTheSceneIfAnotherIsBroken) {
     write("broken.gltf", "{\"asset\": 3");
     write("good.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+    write("room.json", R"({"scene": "good.obj", "name": "dropped room"})");
     view(
         "set panel off\nframes 1\nopen broken.gltf\nwait 1\nreport broken.json\nopen missing.json\nwait 1\nreport "
         "missing.json\n"
         "set vpls many\nreport setting.json\nset technique forward\nset show cut-off\nwait 2\nreport refused.json\n"
-        "open good.obj\nframes 1\nreport good.json",
+        "open good.obj\nframes 1\nreport good.json\nscreenshot good.png\ndrop broken.gltf\nreport dropped.json\n"
+        "frames 1\nscreenshot kept.png\ndrop room.json\nframes 1",
         "--vpls 4");
     EXPECT_EQ(jsonOf("broken.json")["scene"], "cornell_box");
     EXPECT_THAT(jsonOf("broken.json")["message"].get<std::string>(), HasSubstr("broken.gltf"));
@@ -42,9 +44,17 @@ TEST_F(ViewerWindow, KeepsTheSceneIfAnotherIsBroken) {
     EXPECT_EQ(jsonOf("refused.json")["settings"]["show"], "picture") << "what does not fit is taken back";
     EXPECT_THAT(jsonOf("refused.json")["message"].get<std::string>(), HasSubstr("--technique deferred only"));
     EXPECT_EQ(jsonOf("good.json")["scene"], "good");
+    EXPECT_EQ(jsonOf("dropped.json")["is_error"], true);
+    EXPECT_THAT(jsonOf("dropped.json")["message"].get<std::string>(), HasSubstr("broken.gltf"));
+    EXPECT_EQ(largestDifference(imageOf("good.png"), imageOf("kept.png")), 0);
+    EXPECT_EQ(jsonOf("end.json")["scene"], "dropped room");
 }
 
 TEST_F(ViewerWindow, TakesUpShadersThatChangeAndKeepsThoseThatWorked) {
+    // A slow compiler: frames go on meanwhile.
+    write("slow/glslangValidator", "#!/bin/sh\nsleep 0.3\nPATH=${PATH#*:}\nexec glslangValidator \"$@\"\n");
+    std::filesystem::permissions(folder_ / "slow/glslangValidator", std::filesystem::perms::all);
+    environment_ = fmt::format("PATH='{}/slow':$PATH", folder_.string());
     const std::filesystem::path source = std::string(MANYLIGHT_SOURCE_DIR) + "/shaders";
     std::filesystem::copy(source, folder_ / "shaders", std::filesystem::copy_options::recursive);
     const std::string tonemap = readTextFile(source / "passes" / "tonemap.comp");
@@ -66,10 +76,14 @@ TEST_F(ViewerWindow, TakesUpShadersThatChangeAndKeepsThoseThatWorked) {
         write("broken", "");
     });
     view(
-        "set panel off\nframes 1\nreport started.json\nwait-for changed\nwatch\nframes 1\nscreenshot magenta.png\n"
+        "set panel off\nframes 1\nreport started.json\nwait-for changed\nreport changed.json\nwatch\nreport "
+        "taken.json\nframes 1\nscreenshot magenta.png\n"
         "wait-for broken\nwatch\nwait 1\nreport broken.json\nscreenshot still.png",
         "--vpls 4 --watch-shaders .");
     developer.join();
+    EXPECT_GE(jsonOf("taken.json")["frames_presented"].get<int>(),
+              jsonOf("changed.json")["frames_presented"].get<int>() + 5);
+    EXPECT_EQ(jsonOf("taken.json")["message"], "tonemap.comp is new");
     const EncodedImage magenta = imageOf("magenta.png");
     for (size_t i = 0; i < magenta.rgba.size(); i += 4)
         ASSERT_TRUE(magenta.rgba[i] == 255 && magenta.rgba[i + 1] == 0 && magenta.rgba[i + 2] == 255) << i / 4;
