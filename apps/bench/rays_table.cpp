@@ -21,6 +21,7 @@ std::string header(const RaysOptions& options, const RaysRun& run) {
     text += fmt::format("  host         {} threads, Manylight {}; Embree's single-ray queries on {} threads\n",
                         machine["host_threads"].get<int>(), machine["manylight"].get<std::string>(), run.threadCount);
     text += fmt::format("  measured     {} repetitions in turns; ours from submission to fence\n", options.repetitions);
+    text += fmt::format("  ours         by {}\n", run.hardwareRays ? "the device: VK_KHR_ray_query" : "shaders");
     text += fmt::format("  lights       {} {}\n", run.lightCount,
                         run.lightsAreVpls ? "VPLs that the scene's lights leave"
                                           : "random points of the surfaces: the scene's lights leave no VPLs");
@@ -131,6 +132,7 @@ Json raysJson(const RaysOptions& options, const RaysRun& run) {
             {"embree_threads", run.threadCount},
             {"bvh_build_seconds", run.buildSeconds},
             {"memory", run.memory},
+            {"hardware_rays", run.hardwareRays},
             {"calibration_milliseconds", run.calibration},
             {"sets", sets}};
 }

@@ -4,6 +4,7 @@
 // candidates): the expectation is that of a ray for each.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/vpl_list_shuffle.glsl"
