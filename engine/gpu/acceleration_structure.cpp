@@ -10,14 +10,20 @@ namespace {
 
 constexpr VkDeviceSize kCornerBytes = 16;
 
-VkDeviceSize scratchAlignment(const Device& device) {
+struct Limits {
+    VkDeviceSize scratchAlignment = 1;
+    uint64_t mostInstances = 0;
+};
+
+Limits limitsOf(const Device& device) {
     VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{};
     structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
     VkPhysicalDeviceProperties2 properties{};
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
     properties.pNext = &structures;
     vkGetPhysicalDeviceProperties2(device.physicalDevice(), &properties);
-    return std::max<VkDeviceSize>(structures.minAccelerationStructureScratchOffsetAlignment, 1);
+    return {std::max<VkDeviceSize>(structures.minAccelerationStructureScratchOffsetAlignment, 1),
+            structures.maxInstanceCount};
 }
 
 /// One structure with its only geometry, to be built.
@@ -75,7 +81,7 @@ Buffer structureBuffer(Device& device, const std::string& name, const Build& bui
 
 /// One after the other, for they share the scratch buffer. `targets` without a buffer are passed over.
 void recordBuilds(Device& device, const std::vector<Build>& builds, const std::vector<Buffer>& targets) {
-    const VkDeviceSize alignment = scratchAlignment(device);
+    const VkDeviceSize alignment = limitsOf(device).scratchAlignment;
     VkDeviceSize scratchBytes = 0;
     for (const Build& build : builds) scratchBytes = std::max(scratchBytes, build.scratchBytes);
     const Buffer scratch(device, "scratch of acceleration structures",
@@ -156,6 +162,9 @@ std::vector<Buffer> buildBottomLevels(Device& device, const Buffer& corners, std
 }
 
 Buffer buildTopLevel(Device& device, std::span<const StructureInstance> instances) {
+    if (const uint64_t most = limitsOf(device).mostInstances; instances.size() > most)
+        fail("the scene has {} instances, device {} traces rays through {}: --rays software does without it",
+             instances.size(), device.info().name, most);
     std::vector<VkAccelerationStructureInstanceKHR> records;
     for (const StructureInstance& instance : instances) {
         VkAccelerationStructureInstanceKHR record{};

@@ -32,7 +32,7 @@ struct StructureInstance {
     glm::vec3 center{0.0f};
 };
 
-/// Instances that rays meet from both sides, counted as in the list. Waits.
+/// Instances that rays meet from both sides, counted as in the list. Waits. Throws Error if they are too many.
 Buffer buildTopLevel(Device& device, std::span<const StructureInstance> instances);
 
 }  // namespace manylight::gpu
