@@ -27,10 +27,12 @@ std::string header(const RaysOptions& options, const RaysRun& run) {
                                           : "random points of the surfaces: the scene's lights leave no VPLs");
     const auto [low, high] = std::minmax_element(run.calibration.begin(), run.calibration.end());
     text += fmt::format("  calibration  a C++ loop took {:.1f} to {:.1f} ms: the machine's own noise\n", *low, *high);
-    text += fmt::format(
-        "  BVH          {} nodes, depth {}, built in {:.3f} s; {:.1f} bytes per triangle with the geometry\n\n",
-        run.memory["bvh_nodes"].get<uint64_t>(), run.memory["bvh_depth"].get<uint32_t>(), run.buildSeconds,
-        run.memory["geometry_bytes_per_triangle"].get<double>());
+    text += fmt::format("  BVH          {}built in {:.3f} s; {:.1f} bytes per triangle with the geometry\n\n",
+                        run.hardwareRays ? fmt::format("for the order of triangles, {} bytes of the device's own, ",
+                                                       run.memory["acceleration_structure_bytes"].get<uint64_t>())
+                                         : fmt::format("{} nodes, depth {}, ", run.memory["bvh_nodes"].get<uint64_t>(),
+                                                       run.memory["bvh_depth"].get<uint32_t>()),
+                        run.buildSeconds, run.memory["geometry_bytes_per_triangle"].get<double>());
     return text;
 }
 
