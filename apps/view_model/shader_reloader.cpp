@@ -102,10 +102,9 @@ CompiledShader ShaderReloader::compile(const fs::path& entryPoint, bool rayQuery
     shader.name = entryPoint.filename().string();
     if (rayQuery) shader.name = gpu::rayQueryVariant(shader.name);
     const fs::path output = fs::temp_directory_path() / fmt::format("manylight-{}-{}.spv", getpid(), shader.name);
-    const auto [text, isDone] =
-        runCommand(fmt::format("glslangValidator --quiet -V --target-env vulkan1.3 {} -I{} -o {} {}",
-                               rayQuery ? "-DMANYLIGHT_RAY_QUERY" : "", quoted(tree_.string()),
-                               quoted(output.string()), quoted(entryPoint.string())));
+    const auto [text, isDone] = runCommand(fmt::format(
+        "glslangValidator --quiet -V --target-env vulkan1.3 {} -I{} -o {} {}", rayQuery ? "-DMANYLIGHT_RAY_QUERY" : "",
+        quoted(tree_.string()), quoted(output.string()), quoted(entryPoint.string())));
     if (isDone && isRegularFile(output)) {
         const std::string bytes = readTextFile(output);
         shader.words.resize(bytes.size() / sizeof(uint32_t));

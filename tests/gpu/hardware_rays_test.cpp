@@ -128,7 +128,8 @@ TEST_F(HardwareRays, MeetTheSameTriangles) {
 }
 
 TEST_F(HardwareRays, ThatGoNowhereOrMeetNothingMiss) {
-    const RaySet rays = {{{0, 0, 0}, 1e10f, {0, 0, 0}, 0}, {{0, 0, 0}, 1e10f, {0, 0, 1}, 0}, {{0, 0, 0}, 0.0f, {0, 0, 1}, 0}};
+    const RaySet rays = {
+        {{0, 0, 0}, 1e10f, {0, 0, 0}, 0}, {{0, 0, 0}, 1e10f, {0, 0, 1}, 0}, {{0, 0, 0}, 0.0f, {0, 0, 1}, 0}};
     EXPECT_EQ(castBy(RaysBy::Hardware, closedBox(4), rays).occluded, (std::vector<uint32_t>{0, 1, 0}));
     EXPECT_EQ(castBy(RaysBy::Hardware, Scene{}, rays).occluded, (std::vector<uint32_t>{0, 0, 0}));
 }
@@ -164,8 +165,9 @@ TEST_F(HardwareRays, NeedNoNodesAndCountTheirOwnMemory) {
     EXPECT_GT(renderer.gpuScene().report()["acceleration_structure_bytes"].get<uint64_t>(), 0u);
 }
 
-/// Runs on every device: it is taken at its word, or the error says what it lacks.
-TEST(HardwareRaysAskedFor, AreThereOrMissedByName) {
+using HardwareRaysAskedFor = GpuTest;  // on every device
+
+TEST_F(HardwareRaysAskedFor, AreThereOrMissedByName) {
     RenderSettings settings = plainSettings(8, 8);
     settings.rays = RaysBy::Hardware;
     const Scene scene = cornellBox();
@@ -181,7 +183,7 @@ TEST(HardwareRaysAskedFor, AreThereOrMissedByName) {
     }
 }
 
-TEST(HardwareRaysAskedFor, StayWhatTheyWere) {
+TEST_F(HardwareRaysAskedFor, StayWhatTheyWere) {
     RenderSettings settings = plainSettings(8, 8);
     const Scene scene = cornellBox();
     Renderer renderer(device(), scene, settings);

@@ -1,7 +1,7 @@
 // Who traces rays: the decision and its reason, and the shaders that there are for it.
+#include "engine/techniques/plan_rays.h"
 #include "engine/core/error.h"
 #include "engine/gpu/shader.h"
-#include "engine/techniques/plan_rays.h"
 
 #include <gmock/gmock.h>
 
