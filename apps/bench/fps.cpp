@@ -84,7 +84,7 @@ BenchCommand addFpsCommand(CLI::App& app) {
         ->type_name("FILE")
         ->group("Output");
     addSettingOptions(*parser, options->settings,
-                      {"technique", "vpls", "shadows", "interleave", "filter", "quality", "show", "vpl-dots"});
+                      {"technique", "vpls", "shadows", "interleave", "filter", "gather-step", "quality", "show", "vpl-dots"});
     return {parser, [options] { fps(*options); }};
 }
 

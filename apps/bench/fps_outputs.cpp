@@ -45,7 +45,7 @@ Json seedPaperJson() {
 /// Without the settings that the cells vary.
 Json commonSettings(const RenderSettings& settings) {
     Json json = toJson(settings);
-    for (const char* varied : {"technique", "vpls", "shadows", "interleave", "filter"}) json.erase(varied);
+    for (const char* varied : {"technique", "vpls", "shadows", "interleave", "filter", "gather-step"}) json.erase(varied);
     return json;
 }
 

@@ -16,6 +16,7 @@ constexpr uint32_t kLaterWarmUps = 1;
 RenderSettings comparable(RenderSettings settings) {
     settings.show = Show::Picture;
     settings.interleave = 1;
+    settings.gatherStep = 1;
     settings.shadowRays = 0;
     settings.gbuffer = GBufferBy::Auto;
     settings.jitter = false;

@@ -103,9 +103,10 @@ void collectMissingSubgroupOperations(VkPhysicalDevice device, std::vector<std::
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
     properties.pNext = &subgroup;
     vkGetPhysicalDeviceProperties2(device, &properties);
-    if ((subgroup.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_SHUFFLE_BIT) == 0 ||
+    constexpr VkSubgroupFeatureFlags kNeeded = VK_SUBGROUP_FEATURE_SHUFFLE_BIT | VK_SUBGROUP_FEATURE_VOTE_BIT;
+    if ((subgroup.subgroupSupportedOperations & kNeeded) != kNeeded ||
         (subgroup.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) == 0)
-        missing.emplace_back("subgroup shuffle in compute shaders");
+        missing.emplace_back("subgroup shuffle and vote in compute shaders");
 }
 
 }  // namespace

@@ -1,27 +1,24 @@
 #include "engine/passes/reconstruct_block.h"
 
-#include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/reconstruct.h"
 #include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
-ImageHandle addReconstructBlock(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
-                                const GBuffer& gbuffer, ImageHandle gathered, float width, uint32_t period,
-                                uint32_t imageWidth, uint32_t imageHeight) {
+ImageHandle addReconstructBlock(FrameGraph& graph, const SceneHandles& scene, ImageHandle guide, ImageHandle gathered,
+                                float width, uint32_t period, uint32_t imageWidth, uint32_t imageHeight) {
     ImageHandle mean = graph.createImage("mean light", {VK_FORMAT_R32G32B32A32_SFLOAT, imageWidth, imageHeight});
     PassBuilder pass = graph.addPass("reconstruct_block");
     readFrame(pass, scene, PipelineKind::Compute);
-    readGBuffer(pass, gbuffer);
+    pass.read(guide, Access::ComputeStorageRead, shared::kBindingGuide);
     pass.read(gathered, Access::ComputeStorageRead, shared::kBindingReconstructed);
     mean = pass.write(mean, Access::ComputeStorageWrite, shared::kBindingReconstruction);
     const shared::BlockPush push{.width = width, .period = static_cast<float>(period)};
-    pass.execute([options = surfaceOptions(plan), push, imageWidth, imageHeight](PassContext& context) {
+    pass.execute([push, imageWidth, imageHeight](PassContext& context) {
         context.dispatch({.shader = "reconstruct_block.comp",
                           .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
+                          .groupHeight = shared::kImageGroupHeight},
                          imageWidth, imageHeight, push);
     });
     return mean;

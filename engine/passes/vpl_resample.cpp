@@ -12,16 +12,22 @@ namespace {
 
 uint32_t divideUp(uint32_t a, uint32_t b) { return (a + b - 1) / b; }
 
-/// VPLs of one dispatch: every pixel meets one in n * n of them.
+/// Every pixel that gathers meets one VPL in so many.
+uint32_t subsetCount(const VplResampleOptions& options) {
+    const uint32_t period = options.interleave / options.gatherStep;
+    return period * period;
+}
+
+/// VPLs of one dispatch.
 uint32_t vplsPerDispatch(const VplResampleOptions& options) {
     const bool rayForEach = options.castShadows && options.shadowRays == 0;
     const uint32_t perPixel = rayForEach ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxResampledVpls;
-    return perPixel * options.interleave * options.interleave;
+    return perPixel * subsetCount(options);
 }
 
 /// Rows of tiles that keep a dispatch below the work that a watchdog allows.
 uint32_t tileRows(const VplResampleOptions& options, const shared::ResamplePush& push) {
-    const uint32_t perPixel = divideUp(push.endVpl - push.firstVpl, options.interleave * options.interleave);
+    const uint32_t perPixel = divideUp(push.endVpl - push.firstVpl, subsetCount(options));
     const bool rayForEach = options.castShadows && options.shadowRays == 0;
     const uint64_t rays = !options.castShadows ? 0 : rayForEach ? perPixel : options.shadowRays;
     const uint64_t pixels =
@@ -46,9 +52,12 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
                                         .endVpl = std::min(firstVpl + limit, options.vplCount),
                                         .firstTileRow = 0,
                                         .tilesAcross = divideUp(divideUp(width, n), shared::kVplTileWidth),
-                                        .tilesDown = divideUp(divideUp(height, n), shared::kVplTileHeight)};
+                                        .tilesDown = divideUp(divideUp(height, n), shared::kVplTileHeight),
+                                        .gridStart = options.gridStart};
         const bool adds = radiance.has_value();
-        if (!adds) radiance = graph.createImage(options.forReconstruction ? "gathered light" : "radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+        if (!adds)
+            radiance = graph.createImage(options.forReconstruction ? "gathered light" : "radiance",
+                                         {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
         PassBuilder pass = graph.addPass("vpl_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
         readRays(pass, scene, PipelineKind::Compute);
@@ -61,7 +70,7 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
         constants.insert(constants.end(), {options.castShadows, options.subgroupSize, adds, options.shadowRays});
         if (options.forReconstruction) {
             constants.resize(40);
-            constants.push_back(VK_TRUE);
+            constants.insert(constants.end(), {VK_TRUE, options.gatherStep});
         }
         pass.execute([constants, push, n, rows = tileRows(options, push)](PassContext& context) {
             const ComputeKernel kernel{.shader = "vpl_resample.comp",

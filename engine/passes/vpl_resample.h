@@ -17,6 +17,8 @@ struct VplResampleOptions {
     uint32_t phase = 0;       // which one: n * n phases in a row cover the list
     uint32_t subgroupSize = 32;
     bool forReconstruction = false;  // leaves light for addReconstruction() instead of radiance
+    uint32_t gatherStep = 1;  // for reconstruction: one pixel in so many along x and y gathers, and those unlike it
+    glm::uvec2 gridStart{0};  // where that grid begins
 };
 
 /// As addVplLight(); unbiased over phases, and over frames for any number of rays.

@@ -32,6 +32,17 @@ std::optional<uint32_t> channelShown(Show show) {
     }
 }
 
+/// Where the grid of the pixels that gather begins, and how often a pixel of it has gathered: it meets another subset
+/// each time.
+struct GatherGrid {
+    glm::uvec2 start;
+    uint32_t turn;
+};
+GatherGrid gatherGrid(uint32_t step, uint32_t frame) {
+    const uint32_t place = frame % (step * step);
+    return {{place % step, place / step}, frame / (step * step)};
+}
+
 /// Every pixel from every VPL, or from some of them: the mean is the same.
 ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
                       const LightsOfFrame& lights, const VplLightOptions& gather, std::optional<ImageHandle> radiance) {
@@ -41,18 +52,23 @@ ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs&
         return addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, settings.width,
                            settings.height);
     const bool filters = settings.filter == Filter::Atrous;
-    const ImageHandle gathered =
-        addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
-                       {.vplCount = lights.vplCount,
-                        .castShadows = settings.castShadows,
-                        .shadowRays = resamples ? settings.shadowRays : 0,
-                        .interleave = settings.interleave,
-                        .phase = settings.interleavePhase + inputs.frame,
-                        .subgroupSize = inputs.subgroupSize,
-                        .forReconstruction = filters},
-                       filters ? std::nullopt : radiance, settings.width, settings.height);
+    const ReconstructionSchedule schedule =
+        filters ? reconstructionSchedule(settings.interleave, settings.gatherStep, inputs.frame)
+                : ReconstructionSchedule{};
+    const GatherGrid grid = gatherGrid(schedule.gatherStep, inputs.frame);
+    const ImageHandle gathered = addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
+                                                {.vplCount = lights.vplCount,
+                                                 .castShadows = settings.castShadows,
+                                                 .shadowRays = resamples ? settings.shadowRays : 0,
+                                                 .interleave = settings.interleave,
+                                                 .phase = settings.interleavePhase + grid.turn,
+                                                 .subgroupSize = inputs.subgroupSize,
+                                                 .forReconstruction = filters,
+                                                 .gatherStep = schedule.gatherStep,
+                                                 .gridStart = grid.start},
+                                                filters ? std::nullopt : radiance, settings.width, settings.height);
     if (!filters) return gathered;
-    return addReconstruction(graph, scene, inputs.plan, gbuffer, gathered, radiance, settings.interleave, inputs.frame,
+    return addReconstruction(graph, scene, inputs.plan, gbuffer, gathered, radiance, schedule, settings.interleave,
                              settings.width, settings.height);
 }
 

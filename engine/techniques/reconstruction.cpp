@@ -2,6 +2,7 @@
 
 #include "engine/passes/reconstruct_atrous.h"
 #include "engine/passes/reconstruct_block.h"
+#include "engine/passes/reconstruct_guide.h"
 #include "engine/passes/remodulate.h"
 
 #include <algorithm>
@@ -16,12 +17,13 @@ constexpr uint32_t kFewestFramesOfACycle = 16;
 
 }  // namespace
 
-ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t frame) {
+ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame) {
     const uint32_t cycle = std::max(interleave * interleave, kFewestFramesOfACycle);
     const double share = std::min(1.0, static_cast<double>(cycle) / (frame + 1.0));
     const auto shrunk = static_cast<float>(std::pow(share, 1.0 / 6.0));
     ReconstructionSchedule schedule;
     schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shrunk);
+    if (shrunk == 1.0f) schedule.gatherStep = gatherStep;
     const uint32_t finest = std::max(interleave / 2, 1u);
     for (uint32_t level = 0; level < kLevels; ++level) {
         const float reach = static_cast<float>(finest << level) * shrunk;
@@ -32,14 +34,17 @@ ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t fram
 
 ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
                               const GBuffer& gbuffer, ImageHandle gathered, std::optional<ImageHandle> radiance,
-                              uint32_t interleave, uint32_t frame, uint32_t width, uint32_t height) {
-    const ReconstructionSchedule schedule = reconstructionSchedule(interleave, frame);
+                              const ReconstructionSchedule& schedule, uint32_t interleave, uint32_t width,
+                              uint32_t height) {
     ImageHandle light = gathered;
-    if (schedule.blockWidth > 1.0f)
-        light = addReconstructBlock(graph, scene, plan, gbuffer, light, schedule.blockWidth, interleave, width, height);
-    for (const ReconstructionStep& level : schedule.levels)
-        light =
-            addReconstructAtrous(graph, scene, plan, gbuffer, light, level.spacing, level.deviations, width, height);
+    if (schedule.blockWidth > 1.0f || !schedule.levels.empty()) {
+        const ImageHandle guide = addReconstructGuide(graph, scene, plan, gbuffer, width, height);
+        if (schedule.blockWidth > 1.0f)
+            light = addReconstructBlock(graph, scene, guide, light, schedule.blockWidth,
+                                        interleave / schedule.gatherStep, width, height);
+        for (const ReconstructionStep& level : schedule.levels)
+            light = addReconstructAtrous(graph, scene, guide, light, level.spacing, level.deviations, width, height);
+    }
     return addRemodulate(graph, scene, plan, gbuffer, light, radiance, width, height);
 }
 

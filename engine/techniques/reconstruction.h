@@ -15,18 +15,20 @@ struct ReconstructionStep {
 };
 struct ReconstructionSchedule {
     float blockWidth = 1.0f;  // pixels; 1: the pixel alone
+    uint32_t gatherStep = 1;  // every so many pixels gather, the others borrow; only where the block is whole
     std::vector<ReconstructionStep> levels;
 };
 
 /// The whole filter for as many frames as a pixel needs to meet all VPLs; then its radius falls with the sixth root of
 /// their number, which balances bias and variance as in progressive photon mapping [KaplanyanDachsbacher2013]. In the
 /// end nothing is filtered. `frame`: how many there were before.
-ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t frame);
+ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame);
 
 /// Filters `gathered` (RGBA32F, of addVplResample() for reconstruction) and adds its light to `radiance`, or to
 /// nothing.
 ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
                               const GBuffer& gbuffer, ImageHandle gathered, std::optional<ImageHandle> radiance,
-                              uint32_t interleave, uint32_t frame, uint32_t width, uint32_t height);
+                              const ReconstructionSchedule& schedule, uint32_t interleave, uint32_t width,
+                              uint32_t height);
 
 }  // namespace manylight

@@ -241,6 +241,10 @@ void Renderer::resolve(const RenderSettings& settings) {
     const bool needsDeferred = settings.interleave > 1 || settings.shadowRays > 0 || settings.filter != Filter::Off;
     if (settings.technique != Technique::Deferred && needsDeferred)
         failUsage("--interleave, --shadow-rays and --filter: expected --technique deferred");
+    const bool fills = settings.filter != Filter::Off && settings.interleave % settings.gatherStep == 0;
+    if (settings.gatherStep > 1 && !fills)
+        failUsage("--gather-step {}: expected --filter atrous, and an --interleave that it divides",
+                  settings.gatherStep);
     if (settings.technique != Technique::Deferred && settings.gbuffer == GBufferBy::Rays)
         failUsage("--gbuffer rays: expected --technique deferred");
     if (settings.show == Show::Vpls && settings.gbuffer == GBufferBy::Rays)

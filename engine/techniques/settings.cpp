@@ -38,11 +38,10 @@ constexpr std::array kQualities = {Name<Quality>{Quality::Draft, "draft"},
                                    Name<Quality>{Quality::Interactive, "interactive"},
                                    Name<Quality>{Quality::Final, "final"}};
 constexpr std::array kSequences = {Name<bool>{true, "continued"}, Name<bool>{false, "independent"}};
-constexpr std::array kShows = {Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},
-                               Name<Show>{Show::Normal, "normal"},     Name<Show>{Show::Albedo, "albedo"},
-                               Name<Show>{Show::Depth, "depth"},       Name<Show>{Show::Position, "position"},
-                               Name<Show>{Show::Material, "material"}, Name<Show>{Show::CutOff, "cut-off"},
-                               Name<Show>{Show::Rays, "rays"}};
+constexpr std::array kShows = {
+    Name<Show>{Show::Picture, "picture"},   Name<Show>{Show::Vpls, "vpls"},      Name<Show>{Show::Normal, "normal"},
+    Name<Show>{Show::Albedo, "albedo"},     Name<Show>{Show::Depth, "depth"},    Name<Show>{Show::Position, "position"},
+    Name<Show>{Show::Material, "material"}, Name<Show>{Show::CutOff, "cut-off"}, Name<Show>{Show::Rays, "rays"}};
 constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
                                 Name<ToneCurve>{ToneCurve::Reinhard, "reinhard"},
                                 Name<ToneCurve>{ToneCurve::Aces, "aces"}};
@@ -106,19 +105,21 @@ struct Preset {
     uint32_t shadowRays;
     Filter filter;
     ClampMode clamp;
+    uint32_t lightSampleCount;
 };
 
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {1600, 4, 4, Filter::Atrous, ClampMode::Bound};
+            return {1600, 4, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Interactive:
-            return {800, 2, 4, Filter::Atrous, ClampMode::Bound};
+            return {800, 2, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Final:
             break;
     }
     const RenderSettings standard;
-    return {standard.vplCount, standard.interleave, standard.shadowRays, standard.filter, standard.clamp};
+    return {standard.vplCount, standard.interleave, standard.shadowRays,
+            standard.filter,   standard.clamp,      standard.lightSampleCount};
 }
 
 void applyQuality(RenderSettings& settings, Quality quality) {
@@ -128,6 +129,7 @@ void applyQuality(RenderSettings& settings, Quality quality) {
     settings.shadowRays = preset.shadowRays;
     settings.filter = preset.filter;
     settings.clamp = preset.clamp;
+    settings.lightSampleCount = preset.lightSampleCount;
     settings.quality = quality;
 }
 
@@ -145,7 +147,8 @@ const std::vector<Setting>& settingTable() {
     using C = const RenderSettings&;
     static const std::vector<Setting> table = {
         {{"quality", "draft|interactive|final",
-          "presets of --interleave, --shadow-rays, --filter and, if it is not given, --vpls; those given beside it count"},
+          "presets of --interleave, --shadow-rays, --filter, --clamp, --light-samples and, if it is not given, --vpls; "
+          "those given beside it count"},
          [](S& s, T o, T v) { applyQuality(s, parseName(kQualities, o, v)); },
          [](C s) -> Json { return name(s.quality); }},
         {{"technique", "deferred|forward|forward-prepass|path-tracer", "how pixels are shaded"},
@@ -179,9 +182,16 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.interleave = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
          [](C s) -> Json { return s.interleave; }},
         {{"filter", "off|atrous",
-          "after an interleaved gather or few rays: a filter that stops at edges and fades as frames come in; deferred"},
+          "after an interleaved gather or few rays: a filter that stops at edges and fades as frames come in; "
+          "deferred"},
          [](S& s, T o, T v) { s.filter = parseName(kFilters, o, v); },
          [](C s) -> Json { return name(s.filter); }},
+        {{"gather-step", "N",
+          "with --filter: every N-th pixel along x and y gathers, and those that see what it does not; for the first "
+          "frames; N divides --interleave",
+          1, 4},
+         [](S& s, T o, T v) { s.gatherStep = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
+         [](C s) -> Json { return s.gatherStep; }},
         {{"clamp", "off|bound|compensate",
           "leave the geometry term as it is, bound it, or also give back what that takes"},
          [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); },

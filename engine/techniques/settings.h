@@ -76,6 +76,7 @@ struct RenderSettings {
     uint32_t interleave = 1;          // n: a pixel gathers from one VPL in n * n, neighbours from others
     uint32_t interleavePhase = 0;     // which, in the first frame
     Filter filter = Filter::Off;
+    uint32_t gatherStep = 1;          // with a filter: every so many pixels gather, the others ask them
     Quality quality = Quality::Final;  // the preset that set some of these; what is set later counts
     std::optional<float> clampBound;  // c of the bound; empty: as suits the mode
     uint32_t lightSampleCount = 16;   // points on area lights and the environment per frame

@@ -4,13 +4,9 @@
 #define MANYLIGHT_RECONSTRUCT_GLSL
 #include "shaders/lib/reflected.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
+#include "shaders/shared/reconstruct.h"
 
 const float kRoughestLeftAlone = 0.3;   // GGX's alpha: sharper reflections are detail that no G-buffer knows of
-const float kNormalSharpness = 64.0;    // exponent of the cosine between normals
-const float kPlaneTolerance = 1.0;      // off the plane per pixel of distance in the picture, footprints
-
-// Mean of the channels: of light that has the same spectrum everywhere, any mixture would do.
-float brightness(vec3 v) { return (v.x + v.y + v.z) * (1.0 / 3.0); }
 
 // What lighting is divided by before it is filtered and multiplied by afterwards, so that textures stay sharp. A
 // Lambertian's albedo cancels exactly: its gather sums irradiance and was never multiplied.
@@ -50,15 +46,14 @@ float footprintAt(vec3 position) {
     return max(along, 0.0) * 2.0 * length(frame.cameraDown) / float(frame.imageSize.y);
 }
 
-// 1 on one plane, 0 on others. The plane distance is told in footprints per pixel: no lengths are involved, and slopes
-// count as little as distance.
+// As likeness() of guide.glsl, straight from the G-buffer.
 float sameSurface(Guide center, Guide tap, float footprint, ivec2 offset) {
     if (!tap.takesPart) return 0.0;
     const vec3 between = tap.position - center.position;
     const float offPlane = max(abs(dot(between, center.normal)), abs(dot(between, tap.normal)));
     const float allowed = kPlaneTolerance * footprint * max(float(max(abs(offset.x), abs(offset.y))), 1.0);
     const float plane = offPlane > 0.0 ? exp(-min(offPlane / allowed, 80.0)) : 1.0;
-    return plane * pow(max(dot(center.normal, tap.normal), 0.0), kNormalSharpness);
+    return plane * pow(max(dot(center.normal, tap.normal), 0.0), float(1 << kNormalSharpnessLog2));
 }
 
 #endif

@@ -3,8 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
-#include "shaders/lib/reconstruct.glsl"
-#include "shaders/shared/reconstruct.h"
+#include "shaders/lib/guide.glsl"
 #include "shaders/shared/tonemap.h"
 
 layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
@@ -12,50 +11,47 @@ layout(set = 0, binding = kBindingReconstructed, rgba32f) readonly uniform image
 layout(set = 0, binding = kBindingReconstruction, rgba32f) writeonly uniform image2D smoother;
 layout(push_constant, scalar) uniform Push { AtrousPush push; };
 
-// Cubic B-spline, over its middle.
-const float kSpline[3] = {1.0, 2.0 / 3.0, 1.0 / 6.0};
+// Cubic B-spline, over its middle: 1, 2/3, 1/6.
+float spline(int i) { return 1.0 - float(abs(i) * (3 + abs(i))) * (1.0 / 12.0); }
 
-// Errors scatter too: their mean over neighbours, by a Gaussian.
-float errorAround(ivec2 pixel) {
-    float sum = 0.0;
-    float weights = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            if (!isInPicture(pixel + ivec2(x, y))) continue;
-            const float w = (x == 0 ? 2.0 : 1.0) * (y == 0 ? 2.0 : 1.0);
-            sum += w * imageLoad(coarser, pixel + ivec2(x, y)).a;
-            weights += w;
-        }
-    return sum / weights;
+// Errors scatter too: their mean over neighbours.
+float errorAround(ivec2 pixel, float own) {
+    float sum = 4.0 * own;
+    for (int i = 0; i < 4; ++i) {
+        const ivec2 side = (i & 1) == 0 ? ivec2(i - 1, 0) : ivec2(0, i - 2);
+        const ivec2 inside = clamp(pixel + side, ivec2(0), ivec2(frame.imageSize) - 1);
+        sum += imageLoad(coarser, inside).a;
+    }
+    return sum * (1.0 / 8.0);
 }
 
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
+    const ivec2 last = ivec2(frame.imageSize) - 1;
+    if (any(greaterThan(pixel, last))) return;
     const vec4 own = imageLoad(coarser, pixel);
-    const Guide center = guideAt(pixel);
-    const int radius = center.takesPart ? 2 : 0;
+    const GuideCenter center = guideCenterAt(pixel);
+    const int radius = takesPart(center) ? 2 : -1;
     const int spacing = push.spacing;
-    const float footprint = footprintAt(center.position);
     const float level = brightness(own.rgb);
-    const float allowed = push.deviations * max(errorAround(pixel), own.a);
+    const float allowed = push.deviations * max(errorAround(pixel, own.a), own.a);
 
     vec3 sum = own.rgb;
     float weights = 1.0;
-    float worst = max(own.a, level);
+    const float worst = max(own.a, level);
     float squaredErrors = worst > 0.0 ? (own.a / worst) * (own.a / worst) : 0.0;
     for (int y = -radius; y <= radius; ++y)
-        for (int x = -radius; x <= radius; ++x) {
+        for (int x = -2; x <= 2; ++x) {
             const ivec2 offset = spacing * ivec2(x, y);
-            if (offset == ivec2(0) || !isInPicture(pixel + offset)) continue;
-            const vec4 light = imageLoad(coarser, pixel + offset);
-            const float difference = abs(brightness(light.rgb) - level);
-            const float likely = difference < 80.0 * allowed ? exp(-difference / allowed) : 0.0;
-            const float w = kSpline[abs(x)] * kSpline[abs(y)] * likely *
-                            sameSurface(center, guideAt(pixel + offset), footprint, offset);
+            const vec4 tap = guideOfTap(pixel + offset);
+            const vec4 light = imageLoad(coarser, clamp(pixel + offset, ivec2(0), last));
+            const float apart = abs(brightness(light.rgb) - level);
+            const float difference = 8.0 * allowed > apart ? apart / allowed : 8.0;
+            const float alike = spline(x) * spline(y) * likeness(center, tap, offset, difference);
+            const float w = offset == ivec2(0) ? 0.0 : alike;
             sum += w * light.rgb;
             weights += w;
-            const float error = worst > 0.0 ? w * light.a / worst : 0.0;
+            const float error = worst > 0.0 ? w * (light.a / worst) : 0.0;
             squaredErrors += error * error;
         }
     imageStore(smoother, pixel, vec4(sum / weights, worst * sqrt(squaredErrors) / weights));

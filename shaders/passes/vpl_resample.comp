@@ -1,9 +1,10 @@
 // The gather with fewer pairs and fewer rays. Interleaved sampling (Keller and Heidrich 2001): neighbouring pixels gather
 // from different subsets of the VPLs. Resampled shadow rays: all VPLs of the subset are weighed without visibility, and
 // rays go to some of them, drawn in proportion to what they would give (Talbot et al. 2005, with the whole set as
-// candidates): the expectation is that of a ray for each.
+// candidates): the expectation is that of a ray for each. For a filter, pixels may be left out that neighbours speak for.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_vote : require
 #include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
@@ -15,10 +16,12 @@
 const uint kReceivers = 1u;
 #include "shaders/lib/shade_vpls.glsl"
 #include "shaders/lib/reconstruct.glsl"
+#include "shaders/lib/gather_grid.glsl"
 
 layout(constant_id = 12) const bool kAddToRadiance = false;
 layout(constant_id = 13) const uint kRays = 4u;  // per pixel; 0: one for each VPL
 layout(constant_id = 40) const bool kForReconstruction = false;
+layout(constant_id = 41) const int kGatherStep = 1;
 
 layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
@@ -36,8 +39,10 @@ uint subsetSize;
 uvec2 classOfTile(uvec2 tile) { return uvec2(tile.x / push.tilesAcross, tile.y / push.tilesDown); }
 
 void chooseSubset(uvec2 pixelClass) {
-    subsetStep = push.interleave * push.interleave;
-    firstOfSubset = push.firstVpl + (pixelClass.y * push.interleave + pixelClass.x + push.phase) % subsetStep;
+    const uint period = push.interleave / uint(kGatherStep);  // in pixels that gather
+    const uvec2 inPeriod = pixelClass / uint(kGatherStep);
+    subsetStep = period * period;
+    firstOfSubset = push.firstVpl + (inPeriod.y * period + inPeriod.x + push.phase) % subsetStep;
     subsetSize = firstOfSubset < push.endVpl ? (push.endVpl - firstOfSubset + subsetStep - 1u) / subsetStep : 0u;
 }
 
@@ -106,7 +111,9 @@ void drawVpls(Receiver receiver, float total, float u, out uint drawn[kMostShado
 vec3 sumOfDrawn(Receiver receiver, float total, uint drawn[kMostShadowRays], out float error) {
     vec3 sum = vec3(0.0);
     vec2 moments = vec2(0.0);
-    for (uint j = 0u; j < kRays; ++j) {
+    // A loop of no turns is skipped, where all of an `if` might be gone through.
+    const uint rays = total > 0.0 ? kRays : 0u;
+    for (uint j = 0u; j < rays; ++j) {
         const uint index = firstOfSubset + drawn[j] * subsetStep;
         const LightData vpl = loadVpl(index);
         const vec3 share = kGlossy ? summandOfGlossyVpl(receiver, vpl, loadGloss(index), frame.geometryBound, false)
@@ -133,7 +140,10 @@ void main() {
     const ivec2 inClass = ivec2(tileOfClass) * ivec2(kVplTileWidth, kVplTileHeight) + pixelInTile(gl_LocalInvocationIndex);
     const ivec2 pixel = inClass * int(push.interleave) + ivec2(pixelClass);
     chooseSubset(pixelClass);
-    const Receiver receiver = readGBuffer(pixel, true).receiver;
+    Receiver receiver = readGBuffer(pixel, true).receiver;
+    const bool gathers = kGatherStep == 1 || gathersItself(pixel, kGatherStep, ivec2(push.gridStart));
+    if (!gathers) receiver.normal = vec3(0.0);  // nothing shines on it
+    if (!subgroupAny(gathers)) subsetSize = 0u;
 
     vec3 sum;
     float error = 0.0;
@@ -151,7 +161,9 @@ void main() {
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     if (kForReconstruction) {
         vec4 light = float(subsetStep) * vec4(demodulated(receiver, sum), brightness(demodulated(receiver, vec3(error))));
-        if (kAddToRadiance) {
+        if (!gathers) {
+            light = vec4(0.0, 0.0, 0.0, -1.0);
+        } else if (kAddToRadiance) {
             const vec4 before = imageLoad(radianceImage, pixel);
             light = vec4(before.rgb + light.rgb, length(vec2(before.a, light.a)));
         }

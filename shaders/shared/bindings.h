@@ -46,6 +46,7 @@ MANYLIGHT_CONSTANT(int, kBindingPanelIndices, 63);      // storage: uint per cor
 MANYLIGHT_CONSTANT(int, kBindingPanelAtlas, 64);        // storage: coverage of four texels per uint
 MANYLIGHT_CONSTANT(int, kBindingReconstructed, 70);     // image RGBA32F: light, and its standard error; before a filter's pass
 MANYLIGHT_CONSTANT(int, kBindingReconstruction, 71);    // image RGBA32F: the same after it
+MANYLIGHT_CONSTANT(int, kBindingGuide, 72);              // image RGBA32F: normal, depth along the camera's axis
 MANYLIGHT_CONSTANT(int, kBindingInstances, 36);         // storage texel buffer, RGBA32_UINT: kTexelsPerInstance per Instance
 MANYLIGHT_CONSTANT(int, kBindingAccelerationStructure, 57); // of the instances, for hardware rays
 

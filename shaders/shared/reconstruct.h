@@ -5,6 +5,12 @@
 
 MANYLIGHT_SHARED_BEGIN
 
+MANYLIGHT_CONSTANT(float, kPlaneTolerance, 1.0f);     // off the plane per pixel of distance in the picture, footprints
+MANYLIGHT_CONSTANT(int, kNormalSharpnessLog2, 6);  // of the exponent of the cosine between normals
+
+// Mean of the channels: of light that has the same spectrum everywhere, any mixture would do.
+MANYLIGHT_FUNCTION float brightness(vec3 v) { return (v.x + v.y + v.z) * (1.0f / 3.0f); }
+
 struct BlockPush {
     float width;   // of the box, pixels; the period of the interleaving meets every subset equally often
     float period;  // n

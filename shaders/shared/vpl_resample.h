@@ -15,6 +15,7 @@ struct ResamplePush {
     uint firstTileRow;
     uint tilesAcross;  // of one of the n * n pictures
     uint tilesDown;
+    uvec2 gridStart;   // of the pixels that gather for their neighbours
 };
 
 // VPLs of a pixel in one dispatch: two loops over them stay within lavapipe's budget (vpl_light.h) with rays beside.

@@ -38,6 +38,17 @@ TEST_F(Reconstruction, BringsBackWhatAllVplsGive) {
     EXPECT_NEAR(meanOf(filtered), meanOf(all), 0.02 * meanOf(all));
 }
 
+TEST_F(Reconstruction, AFourthOfThePixelsSpeaksForTheirNeighbours) {
+    const Scene scene = cornellBox();
+    const Image all = render(scene, interleaved(1, Filter::Off), 1);
+    const Image some = render(scene, interleaved(4, Filter::Off), 1);
+    RenderSettings settings = interleaved(4, Filter::Atrous);
+    settings.gatherStep = 2;
+    const Image coarse = render(scene, settings, 1);
+    EXPECT_LT(meanSquaredDifference(coarse, all), 0.1 * meanSquaredDifference(some, all));
+    EXPECT_NEAR(meanOf(coarse), meanOf(all), 0.02 * meanOf(all));
+}
+
 // Of few rays likewise; and textures stay sharp, as light is filtered without what surfaces make of it.
 TEST_F(Reconstruction, KeepsTexturesSharp) {
     const Scene scene = patternedRoom();
@@ -66,19 +77,21 @@ TEST_F(Reconstruction, ErrorFallsAsFramesComeIn) {
 }
 
 TEST(ReconstructionSchedule, VanishesInTheEnd) {
-    const ReconstructionSchedule first = reconstructionSchedule(4, 0);
+    const ReconstructionSchedule first = reconstructionSchedule(4, 2, 0);
     EXPECT_EQ(first.blockWidth, 4.0f);
     ASSERT_FALSE(first.levels.empty());
     float width = first.blockWidth;
     for (uint32_t frame = 1; frame < 1u << 20; frame *= 4) {
-        const ReconstructionSchedule next = reconstructionSchedule(4, frame);
+        const ReconstructionSchedule next = reconstructionSchedule(4, 2, frame);
         EXPECT_LE(next.blockWidth, width);
         EXPECT_LE(next.levels.size(), first.levels.size());
         width = next.blockWidth;
     }
-    const ReconstructionSchedule last = reconstructionSchedule(4, 1u << 23);
+    const ReconstructionSchedule last = reconstructionSchedule(4, 2, 1u << 23);
     EXPECT_EQ(last.blockWidth, 1.0f);
     EXPECT_TRUE(last.levels.empty());
+    EXPECT_EQ(first.gatherStep, 2u);
+    EXPECT_EQ(last.gatherStep, 1u);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
     {"ResamplePush",
      {{MEMBER(ResamplePush, interleave), MEMBER(ResamplePush, phase), MEMBER(ResamplePush, firstVpl),
        MEMBER(ResamplePush, endVpl), MEMBER(ResamplePush, firstTileRow), MEMBER(ResamplePush, tilesAcross),
-       MEMBER(ResamplePush, tilesDown)},
+       MEMBER(ResamplePush, tilesDown), MEMBER(ResamplePush, gridStart)},
       sizeof(shared::ResamplePush)}},
     {"TonemapPush", {{MEMBER(TonemapPush, scale), MEMBER(TonemapPush, curve)}, sizeof(shared::TonemapPush)}},
     {"ShowPush", {{MEMBER(ShowPush, channel), MEMBER(ShowPush, depthScale)}, sizeof(shared::ShowPush)}},
