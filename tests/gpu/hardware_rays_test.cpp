@@ -134,12 +134,6 @@ TEST_F(HardwareRays, ThatGoNowhereOrMeetNothingMiss) {
     EXPECT_EQ(castBy(RaysBy::Hardware, Scene{}, rays).occluded, (std::vector<uint32_t>{0, 0, 0}));
 }
 
-TEST_F(HardwareRays, NoneEscapesThroughEdgesAndVertices) {
-    const Scene scene = closedBox(10, 0.5f);
-    const Answers answers = castBy(RaysBy::Hardware, scene, raysAtEdges(scene, 50000, 5));
-    EXPECT_EQ(std::count(answers.occluded.begin(), answers.occluded.end(), 0u), 0);
-}
-
 TEST_F(HardwareRays, FollowInstancesThatMove) {
     Scene scene = roomOfInstances();
     RenderSettings settings = shadowedSettings(Technique::Deferred);
