@@ -35,6 +35,9 @@ BenchCommand addRaysCommand(CLI::App& app) {
     parser->add_option("--size", options->size, "one primary ray per pixel")->capture_default_str();
     parser->add_option("--camera", options->camera, "index of the scene's camera");
     addInstancesOption(*parser, options->instances);
+    parser->add_option("--rays", options->rays, "ours by shaders (software) or by the device (hardware)")
+        ->check(CLI::IsMember({"auto", "software", "hardware"}))
+        ->capture_default_str();
     parser->add_option("--repetitions", options->repetitions, "times that every set is traced")
         ->check(CLI::Range(1, 1 << 20))
         ->capture_default_str();

@@ -124,6 +124,7 @@ RaysRun measureRays(const RaysOptions& options) {
     const Scene scene = flattened(loaded);
     RenderSettings settings;
     applySetting(settings, "size", options.size);
+    applySetting(settings, "rays", options.rays);
     const glm::uvec2 size{settings.width, settings.height};
     if (options.camera >= scene.cameras.size())
         failUsage("--camera {}: the scene has {} camera(s), counted from 0", options.camera, scene.cameras.size());
@@ -139,12 +140,14 @@ RaysRun measureRays(const RaysOptions& options) {
                 .machine = describeMachine(device),
                 .memory = {},
                 .softwareDevice = device.info().isSoftware(),
+                .hardwareRays = false,
                 .sets = {},
                 .calibration = {}};
     const auto start = Clock::now();
     const Bvh bvh = buildBvh(loaded);
     run.buildSeconds = secondsSince(start);
-    RayCaster caster(device, loaded, bvh);
+    RayCaster caster(device, loaded, bvh, settings.rays);
+    run.hardwareRays = caster.plan().hardwareRays;
     run.memory = caster.gpuScene().report();
 
     const BenchLights lights = makeBenchLights(device, scene, options.seed);

@@ -46,6 +46,7 @@ struct RaysRun {
     Json memory;  // of the scene on the device; nodes, depth, bytes per triangle
     double buildSeconds = 0.0;
     bool softwareDevice = false;  // runs on this process's threads: CPU time covers it
+    bool hardwareRays = false;    // ours are by VK_KHR_ray_query
     std::vector<RaySetRun> sets;
     std::vector<double> calibration;  // milliseconds: before every repetition, and after the last
 };

@@ -14,6 +14,7 @@ struct RaysOptions {
     std::string size = "512x384";  // primary rays
     uint32_t camera = 0;
     std::string instances = "auto";
+    std::string rays = "auto";
     uint32_t repetitions = 15;
     uint32_t threadCount = 0;  // for Embree; 0: as many as the host has
     uint32_t seed = 0;

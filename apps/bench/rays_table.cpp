@@ -21,15 +21,18 @@ std::string header(const RaysOptions& options, const RaysRun& run) {
     text += fmt::format("  host         {} threads, Manylight {}; Embree's single-ray queries on {} threads\n",
                         machine["host_threads"].get<int>(), machine["manylight"].get<std::string>(), run.threadCount);
     text += fmt::format("  measured     {} repetitions in turns; ours from submission to fence\n", options.repetitions);
+    text += fmt::format("  ours         by {}\n", run.hardwareRays ? "the device: VK_KHR_ray_query" : "shaders");
     text += fmt::format("  lights       {} {}\n", run.lightCount,
                         run.lightsAreVpls ? "VPLs that the scene's lights leave"
                                           : "random points of the surfaces: the scene's lights leave no VPLs");
     const auto [low, high] = std::minmax_element(run.calibration.begin(), run.calibration.end());
     text += fmt::format("  calibration  a C++ loop took {:.1f} to {:.1f} ms: the machine's own noise\n", *low, *high);
-    text += fmt::format(
-        "  BVH          {} nodes, depth {}, built in {:.3f} s; {:.1f} bytes per triangle with the geometry\n\n",
-        run.memory["bvh_nodes"].get<uint64_t>(), run.memory["bvh_depth"].get<uint32_t>(), run.buildSeconds,
-        run.memory["geometry_bytes_per_triangle"].get<double>());
+    text += fmt::format("  BVH          {}built in {:.3f} s; {:.1f} bytes per triangle with the geometry\n\n",
+                        run.hardwareRays ? fmt::format("for the order of triangles, {} bytes of the device's own, ",
+                                                       run.memory["acceleration_structure_bytes"].get<uint64_t>())
+                                         : fmt::format("{} nodes, depth {}, ", run.memory["bvh_nodes"].get<uint64_t>(),
+                                                       run.memory["bvh_depth"].get<uint32_t>()),
+                        run.buildSeconds, run.memory["geometry_bytes_per_triangle"].get<double>());
     return text;
 }
 
@@ -131,6 +134,7 @@ Json raysJson(const RaysOptions& options, const RaysRun& run) {
             {"embree_threads", run.threadCount},
             {"bvh_build_seconds", run.buildSeconds},
             {"memory", run.memory},
+            {"hardware_rays", run.hardwareRays},
             {"calibration_milliseconds", run.calibration},
             {"sets", sets}};
 }

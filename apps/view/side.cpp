@@ -50,7 +50,7 @@ bool Side::isStale(const SideView& view) const {
 
 void Side::start(const Scene& scene, const RenderSettings& wanted, const SideView& view) {
     if (renderer_ && wanted.materials == applied_.materials && wanted.plan == applied_.plan &&
-        wanted.planKeeps == applied_.planKeeps) {
+        wanted.planKeeps == applied_.planKeeps && wanted.rays == applied_.rays) {
         renderer_->restart(wanted);
     } else {
         renderer_.reset();  // before the new one, for its memory

@@ -68,7 +68,8 @@ Viewer::Viewer(const ViewerOptions& options, Start start)
     for (const auto& [option, value] : options.viewSettings) applyViewSetting(state_.view, option, value);
     if (!options.script.empty()) script_ = parseScript(readTextFile(options.script), options.script.string());
     if (!options.reference.empty()) reference_ = readExr(options.reference);
-    if (!options.watchShaders.empty()) reloader_ = std::make_unique<ShaderReloader>(options.watchShaders);
+    if (!options.watchShaders.empty())
+        reloader_ = std::make_unique<ShaderReloader>(options.watchShaders, device_.canTraceRays());
     main_.settings = start.settings;
     followScreen();
     main_.update(start.scene.scene(), sideView());

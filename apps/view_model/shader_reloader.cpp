@@ -2,8 +2,10 @@
 
 #include "engine/core/error.h"
 #include "engine/core/file.h"
+#include "engine/gpu/shader.h"
 
 #include <unistd.h>
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -44,7 +46,7 @@ std::string firstError(const std::string& output) {
 
 }  // namespace
 
-ShaderReloader::ShaderReloader(const fs::path& tree) : tree_(tree) {
+ShaderReloader::ShaderReloader(const fs::path& tree, bool rayQueries) : tree_(tree), rayQueries_(rayQueries) {
     if (!fs::is_directory(tree_ / "shaders" / "passes"))
         failUsage("--watch-shaders {}: expected a folder that has shaders/passes", tree.string());
     known_ = sourceTimes();
@@ -86,11 +88,12 @@ std::vector<CompiledShader> ShaderReloader::compileChanged() {
     if (changed.empty()) return compiled;
     for (const auto& [file, time] : times) {
         if (!isEntryPoint(file)) continue;
-        for (const fs::path& source : sourcesOf(file))
-            if (changed.contains(source)) {
-                compiled.push_back(compile(file));
-                break;
-            }
+        const std::set<fs::path> sources = sourcesOf(file);
+        const auto isChanged = [&](const fs::path& source) { return changed.contains(source); };
+        if (std::none_of(sources.begin(), sources.end(), isChanged)) continue;
+        compiled.push_back(compile(file, false));
+        const bool traces = sources.contains((tree_ / "shaders" / "lib" / "traces.glsl").lexically_normal());
+        if (traces && rayQueries_) compiled.push_back(compile(file, true));
     }
     return compiled;
 }
@@ -104,13 +107,14 @@ std::optional<std::vector<CompiledShader>> ShaderReloader::take() {
     return running_.get();
 }
 
-CompiledShader ShaderReloader::compile(const fs::path& entryPoint) const {
+CompiledShader ShaderReloader::compile(const fs::path& entryPoint, bool rayQuery) const {
     CompiledShader shader;
     shader.name = entryPoint.filename().string();
+    if (rayQuery) shader.name = gpu::rayQueryVariant(shader.name);
     const fs::path output = fs::temp_directory_path() / fmt::format("manylight-{}-{}.spv", getpid(), shader.name);
-    const auto [text, isDone] =
-        runCommand(fmt::format("glslangValidator --quiet -V --target-env vulkan1.3 -I{} -o {} {}",
-                               quoted(tree_.string()), quoted(output.string()), quoted(entryPoint.string())));
+    const auto [text, isDone] = runCommand(fmt::format(
+        "glslangValidator --quiet -V --target-env vulkan1.3 {} -I{} -o {} {}", rayQuery ? "-DMANYLIGHT_RAY_QUERY" : "",
+        quoted(tree_.string()), quoted(output.string()), quoted(entryPoint.string())));
     if (isDone && isRegularFile(output)) {
         const std::string bytes = readTextFile(output);
         shader.words.resize(bytes.size() / sizeof(uint32_t));

@@ -22,8 +22,8 @@ struct CompiledShader {
 
 class ShaderReloader {
   public:
-    /// `tree` has shaders/passes/. Throws Error if it has not.
-    explicit ShaderReloader(const std::filesystem::path& tree);
+    /// `tree` has shaders/passes/. Throws Error if it has not. `rayQueries`: for a device that traces rays itself.
+    explicit ShaderReloader(const std::filesystem::path& tree, bool rayQueries = false);
 
     /// The shaders that changed since the last call, compiled by glslangValidator.
     std::vector<CompiledShader> compileChanged();
@@ -38,9 +38,10 @@ class ShaderReloader {
     using Time = std::filesystem::file_time_type;
     std::map<std::filesystem::path, Time> sourceTimes() const;
     std::set<std::filesystem::path> sourcesOf(const std::filesystem::path& entryPoint) const;
-    CompiledShader compile(const std::filesystem::path& entryPoint) const;
+    CompiledShader compile(const std::filesystem::path& entryPoint, bool rayQuery) const;
 
     std::filesystem::path tree_;
+    bool rayQueries_;
     std::map<std::filesystem::path, Time> known_;
     std::future<std::vector<CompiledShader>> running_;  // last, so that it ends first
 };

@@ -50,7 +50,8 @@ struct MemoryBlock {
     }
 };
 
-Allocator::Allocator(VkPhysicalDevice physicalDevice, VkDevice device) : device_(device) {
+Allocator::Allocator(VkPhysicalDevice physicalDevice, VkDevice device, bool hasAddresses)
+    : device_(device), hasAddresses_(hasAddresses) {
     vkGetPhysicalDeviceMemoryProperties(physicalDevice, &properties_);
 }
 
@@ -93,6 +94,10 @@ Allocation Allocator::allocate(const VkMemoryRequirements& requirements, MemoryK
     info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     info.allocationSize = block->size;
     info.memoryTypeIndex = type;
+    VkMemoryAllocateFlagsInfo flags{};
+    flags.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+    flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+    if (hasAddresses_ && !isImage) info.pNext = &flags;
     check(vkAllocateMemory(device_, &info, nullptr, &block->memory),
           fmt::format("allocating {} MiB", block->size >> 20));
     block->holes[0] = block->size;

@@ -28,7 +28,8 @@ enum class MemoryKind : uint8_t {
 
 class Allocator {
   public:
-    Allocator(VkPhysicalDevice physicalDevice, VkDevice device);
+    /// `hasAddresses`: shaders and builds may refer to buffers by their addresses.
+    Allocator(VkPhysicalDevice physicalDevice, VkDevice device, bool hasAddresses);
     ~Allocator();
     Allocator(const Allocator&) = delete;
     Allocator& operator=(const Allocator&) = delete;
@@ -46,6 +47,7 @@ class Allocator {
     uint32_t memoryType(uint32_t allowedTypes, MemoryKind kind) const;
 
     VkDevice device_;
+    bool hasAddresses_;
     VkPhysicalDeviceMemoryProperties properties_{};
     std::vector<std::unique_ptr<MemoryBlock>> blocks_;
     VkDeviceSize bytesInUse_ = 0;

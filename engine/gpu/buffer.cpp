@@ -20,6 +20,16 @@ Buffer::Buffer(Device& device, const std::string& name, const BufferInfo& info) 
     check(vkBindBufferMemory(device.handle(), handle_, allocation_.memory, allocation_.offset), "binding " + name);
     device.setName(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(handle_), name);
 
+    if (info.structure) {
+        VkAccelerationStructureCreateInfoKHR structure{};
+        structure.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR;
+        structure.buffer = handle_;
+        structure.size = info.size;
+        structure.type = *info.structure;
+        check(vkCreateAccelerationStructureKHR(device.handle(), &structure, nullptr, &structure_), "creating " + name);
+        device.setName(VK_OBJECT_TYPE_ACCELERATION_STRUCTURE_KHR, reinterpret_cast<uint64_t>(structure_), name);
+    }
+
     constexpr VkBufferUsageFlags kTexel =
         VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     if (info.texelFormat == VK_FORMAT_UNDEFINED || (info.usage & kTexel) == 0) return;
@@ -38,6 +48,7 @@ Buffer::Buffer(Device& device, const std::string& name, const BufferInfo& info) 
 Buffer::~Buffer() {
     if (handle_ == VK_NULL_HANDLE) return;
     if (texelView_ != VK_NULL_HANDLE) vkDestroyBufferView(device_->handle(), texelView_, nullptr);
+    if (structure_ != VK_NULL_HANDLE) vkDestroyAccelerationStructureKHR(device_->handle(), structure_, nullptr);
     vkDestroyBuffer(device_->handle(), handle_, nullptr);
     device_->allocator().free(allocation_);
 }
@@ -47,7 +58,15 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(info_, other.info_);
     std::swap(handle_, other.handle_);
     std::swap(texelView_, other.texelView_);
+    std::swap(structure_, other.structure_);
     std::swap(allocation_, other.allocation_);
+}
+
+VkDeviceAddress addressOf(const Device& device, const Buffer& buffer) {
+    VkBufferDeviceAddressInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
+    info.buffer = buffer.handle();
+    return vkGetBufferDeviceAddress(device.handle(), &info);
 }
 
 }  // namespace manylight::gpu

@@ -1,8 +1,10 @@
-// A buffer with its memory and, where it has a texel format, a view of it as a texel buffer.
+// A buffer with its memory and, where it has a texel format, a view of it as a texel buffer, or where it is one, the
+// acceleration structure in it.
 #pragma once
 
 #include "engine/gpu/device.h"
 
+#include <optional>
 #include <string>
 
 namespace manylight::gpu {
@@ -12,6 +14,7 @@ struct BufferInfo {
     VkBufferUsageFlags usage = 0;
     MemoryKind memory = MemoryKind::Device;
     VkFormat texelFormat = VK_FORMAT_UNDEFINED;  // of the texel view, if the usage asks for one
+    std::optional<VkAccelerationStructureTypeKHR> structure = std::nullopt;  // that fills the buffer
 };
 
 /// Move-only owner. Content is undefined until written: memory is not zeroed.
@@ -28,6 +31,7 @@ class Buffer {
 
     VkBuffer handle() const { return handle_; }
     VkBufferView texelView() const { return texelView_; }
+    const VkAccelerationStructureKHR& structure() const { return structure_; }
     VkDeviceSize size() const { return info_.size; }
     const BufferInfo& info() const { return info_; }
     void* mapped() const { return allocation_.mapped; }
@@ -40,7 +44,11 @@ class Buffer {
     BufferInfo info_;
     VkBuffer handle_ = VK_NULL_HANDLE;
     VkBufferView texelView_ = VK_NULL_HANDLE;
+    VkAccelerationStructureKHR structure_ = VK_NULL_HANDLE;
     Allocation allocation_;
 };
+
+/// Of a buffer with SHADER_DEVICE_ADDRESS usage, on a device that can trace rays.
+VkDeviceAddress addressOf(const Device& device, const Buffer& buffer);
 
 }  // namespace manylight::gpu

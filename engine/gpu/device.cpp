@@ -71,6 +71,11 @@ Device::Device(const DeviceOptions& options)
             fail("device {} cannot present to windows", info_.name);
         extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     }
+    missingForRays_ = missingForRayQueries(info_);
+    if (canTraceRays()) {
+        required.addRayQueries();
+        for (const char* name : rayQueryExtensions()) extensions.push_back(name);
+    }
     VkDeviceCreateInfo deviceInfo{};
     deviceInfo.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     deviceInfo.pNext = required.chain();
@@ -81,7 +86,7 @@ Device::Device(const DeviceOptions& options)
     check(vkCreateDevice(info_.handle, &deviceInfo, nullptr, &handle_), "creating the device");
     volkLoadDevice(handle_);
     vkGetDeviceQueue(handle_, queueFamily_, 0, &queue_);
-    allocator_ = std::make_unique<Allocator>(info_.handle, handle_);
+    allocator_ = std::make_unique<Allocator>(info_.handle, handle_, canTraceRays());
 }
 
 Device::~Device() {

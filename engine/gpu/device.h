@@ -48,6 +48,10 @@ class Device {
     /// True if a compute pipeline may ask for exactly subgroupSize().
     bool canRequireSubgroupSize() const { return canRequireSubgroupSize_; }
 
+    /// What the device lacks for tracing rays itself (VK_KHR_ray_query): empty if it can.
+    const std::string& missingForRays() const { return missingForRays_; }
+    bool canTraceRays() const { return missingForRays_.empty(); }
+
     /// Names an object for validation messages and debuggers; free when no layer listens.
     void setName(VkObjectType type, uint64_t object, const std::string& name) const;
 
@@ -59,6 +63,7 @@ class Device {
     VkPhysicalDeviceLimits limits_{};
     uint32_t subgroupSize_ = 0;
     bool canRequireSubgroupSize_ = false;
+    std::string missingForRays_;
     VkDevice handle_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     uint32_t queueFamily_ = 0;

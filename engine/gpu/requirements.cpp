@@ -41,12 +41,23 @@ void collectMissing(const Struct& features, const Feature<Struct> (&list)[N], st
         if (features.*feature.member == VK_FALSE) missing.emplace_back(feature.name);
 }
 
-void collectMissingExtensions(VkPhysicalDevice device, std::vector<std::string>& missing) {
+constexpr Feature<VkPhysicalDeviceVulkan12Features> kVulkan12OfRays[] = {
+    {&VkPhysicalDeviceVulkan12Features::bufferDeviceAddress, "bufferDeviceAddress"},
+};
+constexpr Feature<VkPhysicalDeviceAccelerationStructureFeaturesKHR> kAccelerationStructures[] = {
+    {&VkPhysicalDeviceAccelerationStructureFeaturesKHR::accelerationStructure, "accelerationStructure"},
+};
+constexpr Feature<VkPhysicalDeviceRayQueryFeaturesKHR> kRayQueries[] = {
+    {&VkPhysicalDeviceRayQueryFeaturesKHR::rayQuery, "rayQuery"},
+};
+
+void collectMissingExtensions(VkPhysicalDevice device, const std::vector<const char*>& wanted,
+                              std::vector<std::string>& missing) {
     uint32_t count = 0;
     vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
     std::vector<VkExtensionProperties> extensions(count);
     vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data());
-    for (const char* name : requiredExtensions()) {
+    for (const char* name : wanted) {
         bool found = false;
         for (const auto& extension : extensions) found = found || std::strcmp(extension.extensionName, name) == 0;
         if (!found) missing.emplace_back(name);
@@ -102,6 +113,11 @@ void collectMissingSubgroupOperations(VkPhysicalDevice device, std::vector<std::
 
 std::vector<const char*> requiredExtensions() { return {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME}; }
 
+std::vector<const char*> rayQueryExtensions() {
+    return {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME,
+            VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
+}
+
 RequiredFeatures::RequiredFeatures() {
     core.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     core.pNext = &vulkan12;
@@ -111,6 +127,16 @@ RequiredFeatures::RequiredFeatures() {
     enable(core.features, kCore);
     enable(vulkan12, kVulkan12);
     enable(vulkan13, kVulkan13);
+}
+
+void RequiredFeatures::addRayQueries() {
+    vulkan13.pNext = &accelerationStructures;
+    accelerationStructures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
+    accelerationStructures.pNext = &rayQueries;
+    rayQueries.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
+    enable(vulkan12, kVulkan12OfRays);
+    enable(accelerationStructures, kAccelerationStructures);
+    enable(rayQueries, kRayQueries);
 }
 
 void requireEverything(const DeviceInfo& device) {
@@ -123,11 +149,25 @@ void requireEverything(const DeviceInfo& device) {
         collectMissing(have.core.features, kCore, missing);
         collectMissing(have.vulkan12, kVulkan12, missing);
         collectMissing(have.vulkan13, kVulkan13, missing);
-        collectMissingExtensions(device.handle, missing);
+        collectMissingExtensions(device.handle, requiredExtensions(), missing);
         collectMissingFormats(device.handle, missing);
         collectMissingSubgroupOperations(device.handle, missing);
     }
     if (!missing.empty()) fail("device {} cannot run Manylight, it lacks: {}", device.name, fmt::join(missing, ", "));
+}
+
+std::string missingForRayQueries(const DeviceInfo& device) {
+    std::vector<std::string> missing;
+    collectMissingExtensions(device.handle, rayQueryExtensions(), missing);
+    if (missing.empty()) {
+        RequiredFeatures have;  // same chain, filled with what the device has
+        have.addRayQueries();
+        vkGetPhysicalDeviceFeatures2(device.handle, &have.core);
+        collectMissing(have.vulkan12, kVulkan12OfRays, missing);
+        collectMissing(have.accelerationStructures, kAccelerationStructures, missing);
+        collectMissing(have.rayQueries, kRayQueries, missing);
+    }
+    return fmt::format("{}", fmt::join(missing, ", "));
 }
 
 }  // namespace manylight::gpu

@@ -27,4 +27,6 @@ std::vector<std::string_view> shaderNames() {
     return names;
 }
 
+std::string rayQueryVariant(std::string_view name) { return std::string(name) + "+ray_query"; }
+
 }  // namespace manylight::gpu

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,5 +14,8 @@ std::span<const uint32_t> shaderCode(std::string_view name);
 
 /// Names of all entry points.
 std::vector<std::string_view> shaderNames();
+
+/// The name of the same entry point with its rays traced by the device: see shaders/lib/traces.glsl.
+std::string rayQueryVariant(std::string_view name);
 
 }  // namespace manylight::gpu

@@ -24,6 +24,7 @@ constexpr VkAccessFlags2 kUniformRead = VK_ACCESS_2_UNIFORM_READ_BIT;
 constexpr VkAccessFlags2 kStorageRead = VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
 constexpr VkAccessFlags2 kStorageWrite = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
 constexpr VkAccessFlags2 kStorageBoth = kStorageRead | kStorageWrite;
+constexpr VkAccessFlags2 kStructureRead = VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
 constexpr VkAccessFlags2 kVertexRead = VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT;
 constexpr VkAccessFlags2 kIndirectRead = VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
 // A loaded attachment is read even where the shader only writes it, so ColorWrite has both bits too.
@@ -60,6 +61,8 @@ constexpr BufferColumns kNoBuffer{};
 constexpr BufferColumns kUniform{VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER};
 constexpr BufferColumns kStorage{VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
 constexpr BufferColumns kTexel{VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT, VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER};
+constexpr BufferColumns kStructure{VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR,
+                                   VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR};
 constexpr BufferColumns kMesh{VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT};
 constexpr BufferColumns kMeshAndTexels{kMesh.usage | kTexel.usage, kTexel.descriptor};
 constexpr BufferColumns kArguments{VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT};
@@ -82,10 +85,12 @@ constexpr std::array<AccessInfo, kAccessCount> kTable = {  // in the order of th
     row("ComputeStorageWrite",     kCompute,    kStorageWrite,    Write, kStorageImage, kStorage),
     row("ComputeStorageReadWrite", kCompute,    kStorageBoth,     Both,  kStorageImage, kStorage),
     row("ComputeTexelRead",        kCompute,    kStorageRead,     Read,  kNoImage,      kTexel),
+    row("ComputeRayQuery",         kCompute,    kStructureRead,   Read,  kNoImage,      kStructure),
     row("GraphicsUniform",         kGraphics,   kUniformRead,     Read,  kNoImage,      kUniform),
     row("GraphicsStorageRead",     kGraphics,   kStorageRead,     Read,  kStorageImage, kStorage),
     row("GraphicsStorageReadWrite", kGraphics,  kStorageBoth,     Both,  kStorageImage, kStorage),
     row("GraphicsTexelRead",       kGraphics,   kStorageRead,     Read,  kNoImage,      kTexel),
+    row("GraphicsRayQuery",        kGraphics,   kStructureRead,   Read,  kNoImage,      kStructure),
     row("VertexBuffer",            kVertices,   kVertexRead,      Read,  kNoImage,      kMesh),
     row("VertexAndTexels", kVertices | kGraphics, kVertexRead | kStorageRead, Read, kNoImage, kMeshAndTexels),
     row("IndirectArguments",       kIndirect,   kIndirectRead,    Read,  kNoImage,      kArguments),

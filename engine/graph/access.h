@@ -14,10 +14,12 @@ enum class Access : uint8_t {
     ComputeStorageWrite,      ///< overwrites the resource: what it held before is lost
     ComputeStorageReadWrite,  ///< changes it, or writes only parts of it
     ComputeTexelRead,         ///< imageBuffer, through the buffer's texel format
+    ComputeRayQuery,          ///< acceleration structure: the pass runs the entry points compiled for ray queries
     GraphicsUniform,          ///< Graphics...: vertex and fragment shader
     GraphicsStorageRead,
     GraphicsStorageReadWrite,
     GraphicsTexelRead,
+    GraphicsRayQuery,
     VertexBuffer,     ///< vertices or indices
     VertexAndTexels,  ///< vertices, and texels for the vertex and fragment shader
     IndirectArguments,

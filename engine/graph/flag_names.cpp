@@ -64,6 +64,7 @@ std::string accessNames(VkAccessFlags2 access) {
         {VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, "colorWrite"},
         {VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT, "depthRead"},
         {VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT, "depthWrite"},
+        {VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR, "structureRead"},
         {VK_ACCESS_2_TRANSFER_READ_BIT, "transferRead"},
         {VK_ACCESS_2_TRANSFER_WRITE_BIT, "transferWrite"},
         {VK_ACCESS_2_HOST_READ_BIT, "hostRead"},
@@ -89,6 +90,7 @@ std::string bufferUsageNames(VkBufferUsageFlags usage) {
         {VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT, "texel"},  {VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "vertices"},
         {VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "indices"},        {VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, "indirect"},
         {VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "transferSource"}, {VK_BUFFER_USAGE_TRANSFER_DST_BIT, "transferTarget"},
+        {VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR, "structure"},
     };
     return joinNames(usage, kNames);
 }

@@ -1,6 +1,7 @@
 #include "engine/graph/pass_context.h"
 
 #include "engine/core/check.h"
+#include "engine/gpu/shader.h"
 
 #include <algorithm>
 
@@ -29,14 +30,21 @@ std::vector<gpu::BindingLayout> PassContext::bindings() const {
     return layouts;
 }
 
+std::string PassContext::variantOf(const char* shader) const {
+    const bool queriesRays = std::any_of(pass_.uses.begin(), pass_.uses.end(), [](const PassUse& use) {
+        return use.access == Access::ComputeRayQuery || use.access == Access::GraphicsRayQuery;
+    });
+    return queriesRays ? gpu::rayQueryVariant(shader) : shader;
+}
+
 gpu::ComputeKey PassContext::keyOf(const ComputeKernel& kernel) const {
-    return {kernel.shader, kernel.specialisation, bindings(), kernel.fullSubgroups};
+    return {variantOf(kernel.shader), kernel.specialisation, bindings(), kernel.fullSubgroups};
 }
 
 gpu::GraphicsKey PassContext::keyOf(const DrawKernel& kernel) const {
     gpu::GraphicsKey key;
     key.vertexShader = kernel.vertexShader;
-    key.fragmentShader = kernel.fragmentShader;
+    if (*kernel.fragmentShader != '\0') key.fragmentShader = variantOf(kernel.fragmentShader);
     key.specialisation = kernel.specialisation;
     key.bindings = bindings();
     key.depthCompare = kernel.depthCompare;
@@ -56,6 +64,7 @@ void PassContext::bind(VkPipelineBindPoint point, const gpu::Pipeline& pipeline,
     std::vector<VkDescriptorImageInfo> images(pass_.uses.size());
     std::vector<VkDescriptorBufferInfo> buffers(pass_.uses.size());
     std::vector<VkBufferView> views(pass_.uses.size());
+    std::vector<VkWriteDescriptorSetAccelerationStructureKHR> structures(pass_.uses.size());
     std::vector<VkWriteDescriptorSet> writes;
     for (size_t i = 0; i < pass_.uses.size(); ++i) {
         const PassUse& use = pass_.uses[i];
@@ -72,6 +81,11 @@ void PassContext::bind(VkPipelineBindPoint point, const gpu::Pipeline& pipeline,
         } else if (write.descriptorType == VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER) {
             views[i] = buffer(use.resource).buffer.texelView();
             write.pTexelBufferView = &views[i];
+        } else if (write.descriptorType == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR) {
+            structures[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR;
+            structures[i].accelerationStructureCount = 1;
+            structures[i].pAccelerationStructures = &buffer(use.resource).buffer.structure();
+            write.pNext = &structures[i];
         } else {
             buffers[i] = {buffer(use.resource).buffer.handle(), 0, VK_WHOLE_SIZE};
             write.pBufferInfo = &buffers[i];

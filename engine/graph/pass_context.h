@@ -91,6 +91,7 @@ class PassContext {
 
     void dispatchBytes(const ComputeKernel& kernel, uint32_t width, uint32_t height, const void* push, size_t bytes);
     void drawBytes(const DrawKernel& kernel, std::span<const DrawRange> ranges, const void* push, size_t bytes);
+    std::string variantOf(const char* shader) const;
     gpu::ComputeKey keyOf(const ComputeKernel& kernel) const;
     gpu::GraphicsKey keyOf(const DrawKernel& kernel) const;
     std::vector<gpu::BindingLayout> bindings() const;

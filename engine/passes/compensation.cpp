@@ -10,6 +10,7 @@ ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const SceneP
                             const VplBuffers& vpls, ImageHandle radiance, uint32_t width, uint32_t height) {
     PassBuilder pass = graph.addPass("compensation");
     readSurfaces(pass, scene, PipelineKind::Compute);
+    readRays(pass, scene, PipelineKind::Compute);
     readGBuffer(pass, gbuffer);
     readVpls(pass, vpls, PipelineKind::Compute);
     readEmitters(pass, scene, PipelineKind::Compute);

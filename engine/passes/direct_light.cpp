@@ -16,6 +16,7 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         const bool adds = push.firstLight > 0;
         PassBuilder pass = graph.addPass("direct_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
+        readRays(pass, scene, PipelineKind::Compute);
         readGBuffer(pass, gbuffer);
         readEmitters(pass, scene, PipelineKind::Compute);
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);

@@ -53,6 +53,7 @@ ForwardResult addForward(FrameGraph& graph, SceneHandles& scene, const ScenePlan
 
         PassBuilder pass = graph.addPass("forward");
         readSurfaces(pass, scene, PipelineKind::Graphics);
+        readRays(pass, scene, PipelineKind::Graphics);
         readVpls(pass, vpls, PipelineKind::Graphics);
         readEmitters(pass, scene, PipelineKind::Graphics);
         pass.read(window, Access::GraphicsUniform, shared::kBindingVpls);

@@ -2,6 +2,7 @@
 
 #include "engine/core/check.h"
 #include "engine/gpu/transfer.h"
+#include "engine/passes/hardware_rays.h"
 #include "engine/passes/pack_materials.h"
 #include "engine/scene/texture_mean.h"
 #include "shaders/shared/bindings.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 
 namespace manylight {
@@ -113,11 +115,19 @@ struct UpperLevel {
     uint32_t depth = 0;
 };
 
-UpperLevel makeUpperLevel(const GpuScene& gpuScene, const InstanceList& list) {
+/// Who visits no nodes asks for no leaves: any order of them will do.
+TopLevel withoutNodes(const InstanceList& list) {
+    TopLevel top;
+    top.order.resize(list.instances.size());
+    std::iota(top.order.begin(), top.order.end(), 0u);
+    return top;
+}
+
+UpperLevel makeUpperLevel(const GpuScene& gpuScene, const InstanceList& list, const ScenePlan& plan) {
     if (gpuScene.instanceCount == 0) return {};
-    TopLevel top = buildTopLevel(gpuScene.instanceBounds);
+    TopLevel top = plan.hardwareRays ? withoutNodes(list) : buildTopLevel(gpuScene.instanceBounds);
     UpperLevel upper{.nodes = top.nodes, .instances = {}, .depth = top.depth};
-    upper.nodes.resize(list.instances.size());
+    if (!plan.hardwareRays) upper.nodes.resize(list.instances.size());
     upper.instances = packInstances(list, gpuScene.meshRoots, top, static_cast<uint32_t>(upper.nodes.size()));
     return upper;
 }
@@ -167,16 +177,17 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     measureSurfaces(gpuScene, scene, list);
     gpuScene.meshRoots = bvh.roots;
     if (plan.instanced) gpuScene.instanceBounds = boundsOfInstances(scene, list);
-    const UpperLevel upper = makeUpperLevel(gpuScene, list);
+    const UpperLevel upper = makeUpperLevel(gpuScene, list, plan);
     std::vector<shared::BvhNode> nodes = upper.nodes;
-    appendNodes(nodes, bvh.nodes, 0);
+    if (!plan.hardwareRays) appendNodes(nodes, bvh.nodes, 0);
 
     SceneUploader uploader(device);
     gpuScene.bvhNodes = uploader.upload("BVH nodes", nodes, kTexel, VK_FORMAT_R32G32B32A32_UINT);
     std::vector<glm::vec4> corners = packTriangles(scene, bvh);
     corners.resize(std::max<size_t>(corners.size(), 3));  // rays that meet nothing look at the first triangle
-    gpuScene.triangles =
-        uploader.upload("triangles", corners, kTexel | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, VK_FORMAT_R32G32B32A32_UINT);
+    const VkBufferUsageFlags forBuilds = plan.hardwareRays ? gpu::kUsageOfStructureInput : 0;
+    gpuScene.triangles = uploader.upload("triangles", corners, kTexel | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | forBuilds,
+                                         VK_FORMAT_R32G32B32A32_UINT);
     gpuScene.triangleMaterials = uploader.upload("triangle materials", triangleMaterials, kStorage);
     gpuScene.triangleUvs = uploader.upload("triangle uvs", uvs, kStorage);
     gpuScene.triangleColours = uploader.upload("triangle colours", colours, kStorage);
@@ -186,12 +197,15 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
     uploadEmitters(gpuScene, environment, plan, uploader);
     gpuScene.instances = uploader.upload("instances", upper.instances, kTexel, VK_FORMAT_R32G32B32A32_UINT);
     uploader.finish();
+    if (plan.hardwareRays) buildMeshStructures(device, gpuScene, scene, list);
+    if (plan.hardwareRays) buildSceneStructure(device, gpuScene, list);
 
     gpuScene.bvhNodeCount = nodes.size();
-    gpuScene.bvhDepth = upper.depth + bvh.depth;
+    gpuScene.bvhDepth = plan.hardwareRays ? 0 : upper.depth + bvh.depth;
     gpuScene.geometryBytes = gpuScene.bvhNodes.buffer.size() + gpuScene.triangles.buffer.size() +
                              gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size() +
-                             gpuScene.triangleColours.buffer.size() + gpuScene.instances.buffer.size();
+                             gpuScene.triangleColours.buffer.size() + gpuScene.instances.buffer.size() +
+                             structureBytes(gpuScene);
     gpuScene.totalBytes = gpuScene.geometryBytes + gpuScene.materials.buffer.size() +
                           gpuScene.textureInfos.buffer.size() + gpuScene.texels.buffer.size() + emitterBytes(gpuScene);
     return gpuScene;
@@ -213,10 +227,11 @@ void moveInstances(gpu::Device& device, GpuScene& gpuScene, const Scene& scene, 
     if (gpuScene.instanceCount > 0) {
         SceneUploader uploader(device);
         gpuScene.instanceBounds = boundsOfInstances(scene, list);
-        const UpperLevel upper = makeUpperLevel(gpuScene, list);
+        const UpperLevel upper = makeUpperLevel(gpuScene, list, plan);
         uploader.renew(gpuScene.bvhNodes, upper.nodes);
         uploader.renew(gpuScene.instances, upper.instances);
         uploader.finish();
+        if (plan.hardwareRays) buildSceneStructure(device, gpuScene, list);
     }
     replaceEmitters(device, gpuScene, scene, plan);
 }
@@ -229,7 +244,13 @@ Json GpuScene::report() const {
         {"triangles", triangleCount},
         {"instances", instanceCount},
         {"bvh_nodes", bvhNodeCount},
-        {"bvh_depth", bvhDepth}};
+        {"bvh_depth", bvhDepth},
+        {"acceleration_structure_bytes", structureBytes(*this)}};
+}
+
+std::optional<BufferHandle> importStructure(FrameGraph& graph, GpuScene& scene) {
+    if (!scene.accelerationStructure.buffer.exists()) return std::nullopt;
+    return importPhysical(graph, "acceleration structure", scene.accelerationStructure);
 }
 
 SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status) {
@@ -247,7 +268,8 @@ SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& fra
             .emitterChoices = importPhysical(graph, "emitter choices", scene.emitterChoices),
             .environmentTexels = importPhysical(graph, "environment texels", scene.environmentTexels),
             .environmentCells = importPhysical(graph, "environment cells", scene.environmentCells),
-            .instances = importPhysical(graph, "instances", scene.instances)};
+            .instances = importPhysical(graph, "instances", scene.instances),
+            .accelerationStructure = importStructure(graph, scene)};
 }
 
 void readFrame(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {
@@ -269,6 +291,13 @@ void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kin
         .read(scene.texels, texel, shared::kBindingTexels)
         .read(scene.instances, texel, shared::kBindingInstances)
         .read(scene.triangles, compute ? Access::ComputeTexelRead : Access::VertexAndTexels, shared::kBindingTriangles);
+}
+
+void readRays(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {
+    if (!scene.accelerationStructure) return;
+    pass.read(*scene.accelerationStructure,
+              kind == PipelineKind::Compute ? Access::ComputeRayQuery : Access::GraphicsRayQuery,
+              shared::kBindingAccelerationStructure);
 }
 
 void readEmitters(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind) {

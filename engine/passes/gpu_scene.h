@@ -27,6 +27,9 @@ struct GpuScene {
     uint32_t environmentCellSide = 1;
     float environmentTurn = 0.0f;
     PhysicalBuffer instances;  // if there are two levels
+    // With hardware rays, instead of BVH nodes:
+    std::vector<gpu::Buffer> meshStructures;
+    PhysicalBuffer accelerationStructure;  // of the instances
 
     uint32_t triangleCount = 0;       // with all repeats
     uint32_t instanceCount = 0;       // 0: every triangle is in the scene's frame
@@ -73,7 +76,9 @@ struct SceneHandles {
     BufferHandle environmentTexels;
     BufferHandle environmentCells;
     BufferHandle instances;
+    std::optional<BufferHandle> accelerationStructure;
 };
+std::optional<BufferHandle> importStructure(FrameGraph& graph, GpuScene& scene);
 SceneHandles importScene(FrameGraph& graph, GpuScene& scene, PhysicalBuffer& frame, PhysicalBuffer& status);
 
 enum class PipelineKind : uint8_t { Compute, Graphics };
@@ -81,6 +86,8 @@ enum class PipelineKind : uint8_t { Compute, Graphics };
 /// Declares that a pass looks up surfaces: frame constants, BVH, triangles (a graphics pass also draws them),
 /// materials and textures.
 void readSurfaces(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
+/// Declares that a pass traces rays: with hardware rays it runs the entry points that are compiled for them.
+void readRays(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
 /// Declares that a pass draws emitters, and what the environment shows.
 void readEmitters(PassBuilder& pass, const SceneHandles& scene, PipelineKind kind);
 /// Declares that a pass reads the frame constants.

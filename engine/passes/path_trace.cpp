@@ -38,6 +38,7 @@ ImageHandle addPathTrace(FrameGraph& graph, SceneHandles& scene, const ScenePlan
             const bool suspends = stretch + 1 < stretches;
             PassBuilder pass = graph.addPass("path_trace");
             readSurfaces(pass, scene, PipelineKind::Compute);
+            readRays(pass, scene, PipelineKind::Compute);
             readEmitters(pass, scene, PipelineKind::Compute);
             scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
             states = pass.write(states, resumes ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,

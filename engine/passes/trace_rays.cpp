@@ -21,6 +21,7 @@ void addTraceRays(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
         .read(scene.triangles, Access::ComputeTexelRead, shared::kBindingTriangles)
         .read(scene.instances, Access::ComputeTexelRead, shared::kBindingInstances)
         .read(rays.queries, Access::ComputeTexelRead, shared::kBindingRayQueries);
+    readRays(pass, scene, PipelineKind::Compute);
     rays.answers = pass.write(rays.answers, Access::ComputeStorageWrite, shared::kBindingRayAnswers);
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
     // Constants 0 to 9: of those of surfaceOptions() only the last is of interest.

@@ -14,6 +14,7 @@ ImageHandle addVisibilityByRays(FrameGraph& graph, SceneHandles& scene, const Sc
                                 uint32_t height) {
     PassBuilder pass = graph.addPass("visibility");
     readSurfaces(pass, scene, PipelineKind::Compute);
+    readRays(pass, scene, PipelineKind::Compute);
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
     const ImageHandle triangle = pass.write(graph.createImage("visibility", {VK_FORMAT_R32_UINT, width, height}),
                                             Access::ComputeStorageWrite, shared::kBindingVisibility);

@@ -9,6 +9,7 @@ void addVplBounces(FrameGraph& graph, SceneHandles& scene, const gpu::Specialisa
     for (uint32_t depth = 0; depth < push.maxDepth; depth += shared::kBouncesPerDispatch) {
         PassBuilder pass = graph.addPass("vpl_bounce");
         readSurfaces(pass, scene, PipelineKind::Compute);
+        readRays(pass, scene, PipelineKind::Compute);
         paths.rays = pass.write(paths.rays, Access::ComputeStorageReadWrite, shared::kBindingRays);
         paths.offsets = pass.write(paths.offsets, Access::ComputeStorageReadWrite, shared::kBindingPathOffsets);
         // The first stretch of bounces starts the slots anew; later ones add to them.

@@ -23,6 +23,7 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
         readSurfaces(pass, scene, PipelineKind::Compute);
         readGBuffer(pass, gbuffer);
         readVpls(pass, vpls, PipelineKind::Compute);
+        if (shadows) readRays(pass, scene, PipelineKind::Compute);
         if (shadows) scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         radiance = pass.write(*radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                               shared::kBindingRadiance);

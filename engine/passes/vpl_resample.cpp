@@ -60,6 +60,7 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
                                          {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
         PassBuilder pass = graph.addPass("vpl_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
+        readRays(pass, scene, PipelineKind::Compute);
         readGBuffer(pass, gbuffer);
         readVpls(pass, vpls, PipelineKind::Compute);
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);

@@ -43,6 +43,7 @@ struct ScenePlan {
     bool lightPaths = true;         // any light at all, and surfaces to send it to
     bool pixelVariance = true;      // how far the frames of every pixel scatter
     bool cutOff = true;             // deferred: a picture of what the bound on the geometry term takes
+    bool hardwareRays = false;      // the device traces rays, without BVH nodes; decided by who knows the device
     bool display = true;            // the displayed picture after every frame, not only when it is asked for
     std::vector<PlanDecision> decisions;
 };

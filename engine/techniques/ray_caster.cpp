@@ -4,6 +4,7 @@
 #include "engine/gpu/transfer.h"
 #include "engine/passes/frame_status.h"
 #include "engine/passes/trace_rays.h"
+#include "engine/techniques/plan_rays.h"
 
 #include <cstring>
 #include <limits>
@@ -27,11 +28,17 @@ std::vector<T> asVector(const std::vector<std::byte>& bytes, size_t count) {
     return values;
 }
 
+ScenePlan planFor(const gpu::Device& device, const Scene& scene, RaysBy rays) {
+    ScenePlan plan = planScene(scene);
+    planRays(plan, rays, rayAbilities(device));
+    return plan;
+}
+
 }  // namespace
 
-RayCaster::RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh)
+RayCaster::RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh, RaysBy rays)
     : device_(device),
-      plan_(planScene(scene)),
+      plan_(planFor(device, scene, rays)),
       gpuScene_(uploadScene(device, scene, plan_, bvh)),
       pipelines_(device),
       executor_(device, pipelines_),
@@ -59,6 +66,7 @@ Execution RayCaster::trace(RayKind kind) {
     scene.bvhNodes = importPhysical(graph, "BVH nodes", gpuScene_.bvhNodes);
     scene.triangles = importPhysical(graph, "triangles", gpuScene_.triangles);
     scene.instances = importPhysical(graph, "instances", gpuScene_.instances);
+    scene.accelerationStructure = importStructure(graph, gpuScene_);
     addStatusReset(graph, scene);
     RayBuffers rays{importPhysical(graph, "ray queries", queries_), importPhysical(graph, "ray answers", answers_)};
     addTraceRays(graph, scene, plan_, rays, rayCount_, kind);

@@ -4,6 +4,7 @@
 #include "engine/accel/ray_sets.h"
 #include "engine/graph/execute.h"
 #include "engine/passes/gpu_scene.h"
+#include "engine/techniques/settings.h"
 #include "shaders/shared/trace_rays.h"
 
 #include <span>
@@ -13,8 +14,8 @@ namespace manylight {
 
 class RayCaster {
   public:
-    /// Uploads the scene. Throws Error if the device cannot hold it.
-    RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh);
+    /// Uploads the scene. Throws Error if the device cannot hold it, or lacks the hardware rays that are asked for.
+    RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh, RaysBy rays = RaysBy::Software);
 
     /// Uploads the rays that trace() traces. Throws Error if the device cannot hold them.
     void load(std::span<const shared::RayQuery> rays);
@@ -28,6 +29,7 @@ class RayCaster {
     std::vector<shared::RayHit> hits();
 
     const GpuScene& gpuScene() const { return gpuScene_; }
+    const ScenePlan& plan() const { return plan_; }
 
   private:
     std::vector<std::byte> answers(RayKind kind);

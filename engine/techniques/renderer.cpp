@@ -14,6 +14,7 @@
 #include "engine/techniques/lights_of_frame.h"
 #include "engine/techniques/lit_area.h"
 #include "engine/techniques/path_tracing.h"
+#include "engine/techniques/plan_rays.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/sobol.h"
 #include "shaders/shared/vpl_emission.h"
@@ -53,6 +54,12 @@ Bvh buildTimed(const Scene& scene, double& seconds) {
     Bvh bvh = buildBvh(scene);
     seconds = secondsSince(start);
     return bvh;
+}
+
+ScenePlan planFor(const gpu::Device& device, const Scene& scene, const RenderSettings& settings) {
+    ScenePlan plan = planScene(scene, !settings.plan, settings.planKeeps);
+    planRays(plan, settings.rays, rayAbilities(device));
+    return plan;
 }
 
 GpuScene uploadTimed(gpu::Device& device, const Scene& scene, const ScenePlan& plan, const Bvh& bvh, double& seconds) {
@@ -114,7 +121,7 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
       givenScene_(scene),
       reducedScene_(settings.materials == Materials::Diffuse ? std::optional(diffuseOnly(scene)) : std::nullopt),
       scene_(reducedScene_ ? *reducedScene_ : scene),
-      plan_(planScene(scene_, !settings.plan, settings.planKeeps)),
+      plan_(planFor(device, scene_, settings)),
       gpuScene_(uploadTimed(device, scene_, plan_, buildTimed(scene_, startupTimes_.bvhBuild), startupTimes_.upload)),
       pipelines_(device),
       executor_(device, pipelines_),
@@ -134,6 +141,8 @@ Renderer::~Renderer() = default;
 void Renderer::restart(const RenderSettings& settings) {
     if (settings.materials != settings_.materials)
         failUsage("--materials {}: expected the same for all pictures of one run", name(settings.materials));
+    if (settings.rays != settings_.rays)
+        failUsage("--rays {}: expected the same for all pictures of one run", name(settings.rays));
     const glm::uvec2 before{settings_.width, settings_.height};
     if (settings.camera != settings_.camera) isCameraGiven_ = false;
     resolve(settings);
@@ -151,7 +160,7 @@ void Renderer::lookThrough(const Camera& camera) {
 }
 
 void Renderer::planAgain() {
-    plan_ = planScene(scene_, !settings_.plan, settings_.planKeeps);
+    plan_ = planFor(device_, scene_, settings_);
     settle(plan_, kPlanPixelVariance, keepsVariance_);
     settle(plan_, kPlanCutOff, keepsCutOff_ || plan_.cutOff);
     settle(plan_, kPlanDisplay, keepsDisplay_);

@@ -29,7 +29,8 @@ class Renderer {
     /// Throws Error if the driver cut a ray off (the picture would be wrong).
     Execution renderFrame();
 
-    /// Forgets the frames so far. Resolves as the constructor does; `materials` and `plan` stay what they were there.
+    /// Forgets the frames so far. Resolves as the constructor does; `materials`, `plan` and `rays` stay what they were
+    /// there.
     void restart(const RenderSettings& settings);
 
     /// Forgets the frames so far and looks from `camera`, until restart() is given another index than before.

@@ -49,6 +49,8 @@ constexpr std::array kCurves = {Name<ToneCurve>{ToneCurve::Linear, "linear"},
 constexpr std::array kGBuffers = {Name<GBufferBy>{GBufferBy::Auto, "auto"},
                                   Name<GBufferBy>{GBufferBy::Raster, "raster"},
                                   Name<GBufferBy>{GBufferBy::Rays, "rays"}};
+constexpr std::array kRays = {Name<RaysBy>{RaysBy::Auto, "auto"}, Name<RaysBy>{RaysBy::Software, "software"},
+                              Name<RaysBy>{RaysBy::Hardware, "hardware"}};
 
 template <typename Enum, size_t N>
 const char* nameIn(const std::array<Name<Enum>, N>& names, Enum value) {
@@ -212,6 +214,9 @@ const std::vector<Setting>& settingTable() {
         {{"gbuffer", "auto|raster|rays", "what a pixel sees is found by the rasteriser or by rays; deferred"},
          [](S& s, T o, T v) { s.gbuffer = parseName(kGBuffers, o, v); },
          [](C s) -> Json { return name(s.gbuffer); }},
+        {{"rays", "auto|software|hardware", "rays are traced by shaders, or by the device (VK_KHR_ray_query)"},
+         [](S& s, T o, T v) { s.rays = parseName(kRays, o, v); },
+         [](C s) -> Json { return name(s.rays); }},
         {{"size", "WxH", "pixels"},
          [](S& s, T o, T v) { parseSize(s, o, v); },
          [](C s) -> Json { return fmt::format("{}x{}", s.width, s.height); }},
@@ -263,6 +268,7 @@ const char* name(Quality quality) { return nameIn(kQualities, quality); }
 const char* name(Show show) { return nameIn(kShows, show); }
 const char* name(ToneCurve curve) { return nameIn(kCurves, curve); }
 const char* name(GBufferBy gbuffer) { return nameIn(kGBuffers, gbuffer); }
+const char* name(RaysBy rays) { return nameIn(kRays, rays); }
 
 const std::vector<SettingHelp>& settingHelps() {
     static const std::vector<SettingHelp> helps = [] {

@@ -50,6 +50,12 @@ enum class GBufferBy : uint8_t {
     Rays,    // a ray through every pixel
 };
 
+enum class RaysBy : uint8_t {
+    Auto,      // hardware, unless a CPU would play it
+    Software,  // the traversal in the shaders
+    Hardware,  // the device: VK_KHR_ray_query
+};
+
 enum class ToneCurve : uint8_t { Linear, Reinhard, Aces };
 
 struct RenderSettings {
@@ -60,6 +66,7 @@ struct RenderSettings {
     Show show = Show::Picture;
     ToneCurve toneCurve = ToneCurve::Aces;
     GBufferBy gbuffer = GBufferBy::Auto;
+    RaysBy rays = RaysBy::Auto;
     uint32_t width = 0;  // pixels; 0: as the scene's camera says, else 512 x 384
     uint32_t height = 0;
     uint32_t vplCount = 800;         // VPLs shaded in every frame; 0: none
@@ -98,6 +105,7 @@ const char* name(Quality quality);
 const char* name(Show show);
 const char* name(ToneCurve curve);
 const char* name(GBufferBy gbuffer);
+const char* name(RaysBy rays);
 /// Sets one setting by its option name without dashes ("vpls", "shadows"), from text. Throws Error (usage) naming the
 /// option, the value and what was expected.
 void applySetting(RenderSettings& settings, const std::string& option, const std::string& value);

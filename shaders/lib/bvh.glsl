@@ -1,5 +1,5 @@
 // Every ray goes through here. Needs the buffers that engine/accel builds, bound as bindings.h says. Tests compile it
-// as C++ too, with their own imageLoad().
+// as C++ too, with their own imageLoad(). With MANYLIGHT_RAY_QUERY the device finds the triangles, see ray_query.glsl.
 #ifndef MANYLIGHT_LIB_BVH
 #define MANYLIGHT_LIB_BVH
 #include "shaders/shared/bindings.h"
@@ -7,7 +7,9 @@
 #include "shaders/shared/sobol.h"
 
 #ifndef __cplusplus
+#ifndef MANYLIGHT_RAY_QUERY
 layout(set = 0, binding = kBindingBvhNodes, rgba32ui) readonly uniform uimageBuffer bvhNodes;
+#endif
 layout(set = 0, binding = kBindingTriangles, rgba32ui) readonly uniform uimageBuffer bvhTriangles;
 
 // Whether any-hit queries keep their stack in registers, as SIMD code for CPUs likes it: a store that only some lanes
@@ -41,6 +43,7 @@ struct Hit {
 // loop of a traversal ended though its condition held: the answer is worth nothing, and the pass must say so.
 bool bvhLoopBudgetExceeded = false;
 
+#ifndef MANYLIGHT_RAY_QUERY
 // An invocation at a leaf waits until its subgroup's others are at leaves too, but for no more nodes than these.
 const int kMostNodesAny = 12;
 const int kMostNodesClosest = 8;
@@ -91,6 +94,7 @@ NodeVisit visitNode(TraversalRay ray, uint node, float tMax) {
     return visitNode(ray, imageLoad(bvhNodes, texel), imageLoad(bvhNodes, texel + 1), imageLoad(bvhNodes, texel + 2),
                      tMax);
 }
+#endif
 
 // `corner` is 0, 1 or 2. The fourth component is the packed normal, see packing.h.
 uvec4 triangleCorner(uint triangle, int corner) {
@@ -107,6 +111,7 @@ TriangleHit testTriangle(TraversalRay ray, uint triangle, float tMax) {
                              tMax);
 }
 
+#ifndef MANYLIGHT_RAY_QUERY
 // Where to go on after a visit, given the inner children that the ray meets and the visited node's own siblings: down,
 // with the siblings put aside; along; or up.
 uint nextInSlotOrder(uint children, uint siblings, bool inRegisters) {
@@ -216,9 +221,13 @@ Hit closestHitInTree(TraversalRay ray, bool visitsRoot, Hit best, float tMax, ui
     bvhLoopBudgetExceeded = bvhLoopBudgetExceeded || !isDone;
     return best;
 }
+#endif
 
 #include "shaders/lib/instances.glsl"
 
+#ifdef MANYLIGHT_RAY_QUERY
+#include "shaders/lib/ray_query.glsl"
+#else
 // Is there a triangle at t in (0, tMax)? A zero direction meets nothing.
 bool occluded(vec3 origin, vec3 direction, float tMax) {
     const float tEnd = direction == vec3(0.0f) ? -1.0f : tMax;
@@ -237,5 +246,6 @@ Hit closestHit(vec3 origin, vec3 direction, float tMax) {
     if (kInstanced != 0u) return closestHitOfInstances(origin, direction, best, tMax, number);
     return closestHitInTree(makeTraversalRay(origin, direction), true, best, tMax, number, 0u, 0u, 0);
 }
+#endif
 
 #endif

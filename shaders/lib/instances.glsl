@@ -38,6 +38,7 @@ TraversalRay rayInMesh(uint instance, vec3 origin, vec3 direction) {
                             vec3(dot(row0, direction), dot(row1, direction), dot(row2, direction)));
 }
 
+#ifndef MANYLIGHT_RAY_QUERY
 // occluded() of bvh.glsl, over instances.
 bool occludedByInstances(vec3 origin, vec3 direction, float tEnd, uint number) {
     const TraversalRay ray = makeTraversalRay(origin, direction);
@@ -110,5 +111,6 @@ Hit closestHitOfInstances(vec3 origin, vec3 direction, Hit best, float tMax, uin
     rememberInstance(bestInstance);
     return best;
 }
+#endif
 
 #endif

@@ -1,6 +1,7 @@
 // Adds what the bound cut off the light of the VPLs, for every pixel of the G-buffer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/compensation.glsl"

@@ -1,6 +1,7 @@
 // Emission and the light of the real lights, for every pixel of the G-buffer.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/emission_seen.glsl"

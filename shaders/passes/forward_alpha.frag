@@ -2,6 +2,7 @@
 // hidden fragments are shaded too.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/forward_shading.glsl"
 
 layout(location = 0) flat in uint triangle;

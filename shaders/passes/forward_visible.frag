@@ -1,6 +1,7 @@
 // Forward shading of what a pre-pass has seen. Depth alone cannot tell coplanar triangles apart, their numbers can.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/forward_shading.glsl"
 
 // Depth first: without this, the status counter or the discard would have hidden fragments shaded too.

@@ -2,6 +2,7 @@
 // path per pixel and frame.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/camera.glsl"
 #include "shaders/lib/path_light.glsl"

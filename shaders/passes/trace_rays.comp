@@ -1,6 +1,7 @@
 // Answers a list of ray queries, one invocation each.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #extension GL_EXT_scalar_block_layout : require
 #include "shaders/lib/bvh.glsl"
 #include "shaders/shared/lights.h"

@@ -1,6 +1,7 @@
 // Which triangle a pixel sees, by a ray through it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/camera.glsl"
 #include "shaders/lib/ray.glsl"

@@ -1,6 +1,7 @@
 // Light paths go from surface to surface: meet one, leave a vertex there, go on by Russian roulette.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/surface.glsl"
 #include "shaders/lib/random.glsl"

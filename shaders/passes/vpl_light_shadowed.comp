@@ -1,6 +1,7 @@
 // The gather with a shadow ray for every pixel and VPL that could see each other.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/lib/traces.glsl"
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/lib/vpl_list_shuffle.glsl"

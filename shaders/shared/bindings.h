@@ -49,6 +49,7 @@ MANYLIGHT_CONSTANT(int, kBindingReconstruction, 71);    // image RGBA32F: the sa
 MANYLIGHT_CONSTANT(int, kBindingGuide, 72);              // image RGBA32F: normal, depth along the camera's axis
 MANYLIGHT_CONSTANT(int, kBindingUnshadowed, 73);         // image RGBA32F: light as if nothing were between
 MANYLIGHT_CONSTANT(int, kBindingInstances, 36);         // storage texel buffer, RGBA32_UINT: kTexelsPerInstance per Instance
+MANYLIGHT_CONSTANT(int, kBindingAccelerationStructure, 57); // of the instances, for hardware rays
 
 MANYLIGHT_SHARED_END
 #endif

@@ -46,6 +46,14 @@ TEST(GraphAccess, TexelReadsAreStorageTexelBuffersAndNeverImages) {
     }
 }
 
+TEST(GraphAccess, RayQueriesReadAccelerationStructures) {
+    for (const Access access : {Access::ComputeRayQuery, Access::GraphicsRayQuery}) {
+        EXPECT_EQ(accessInfo(access).bufferDescriptor, VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR);
+        EXPECT_FALSE(accessInfo(access).writes);
+        EXPECT_FALSE(fitsImages(accessInfo(access)));
+    }
+}
+
 TEST(GraphAccess, AttachmentsAndPresentationAreForImagesOnly) {
     for (const Access access : {Access::ColorWrite, Access::ColorBlend, Access::DepthWrite, Access::DepthRead}) {
         EXPECT_TRUE(isAttachment(accessInfo(access)));
