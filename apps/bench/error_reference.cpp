@@ -141,6 +141,7 @@ Reference makeReference(Renderer& renderer, const Scene& scene, const RenderSett
     truth.interleave = 1;
     truth.shadowRays = 0;
     truth.filter = Filter::Off;
+    truth.temporal = false;
     truth.clamp = ClampMode::Off;
     truth.castShadows = true;
     truth.russianRoulette = true;

@@ -83,6 +83,7 @@ Json sidecarOf(const ViewToSave& view, const fs::path& target) {
     for (const auto& [option, value] : all.items())
         if (!value.is_null() && option != "size") settings[option] = value;
     if (view.pose) settings.erase("camera");  // the sidecar has one camera
+    if (view.settings.temporal) settings.erase("temporal");  // the viewer has it by itself; others would pay for nothing
     json["settings"] = settings;
     return json;
 }

@@ -46,6 +46,9 @@ MANYLIGHT_CONSTANT(int, kBindingPanelIndices, 63);      // storage: uint per cor
 MANYLIGHT_CONSTANT(int, kBindingPanelAtlas, 64);        // storage: coverage of four texels per uint
 MANYLIGHT_CONSTANT(int, kBindingReconstructed, 70);     // image RGBA32F: light, and its standard error; before a filter's pass
 MANYLIGHT_CONSTANT(int, kBindingReconstruction, 71);    // image RGBA32F: the same after it
+MANYLIGHT_CONSTANT(int, kBindingShown, 112);            // image RGBA32F: sum over frames as it is shown, and frames that it stands for
+MANYLIGHT_CONSTANT(int, kBindingHistory, 113);          // image RGBA32_UINT: what earlier views knew of a pixel
+MANYLIGHT_CONSTANT(int, kBindingHistoryGuide, 114);     // image RGBA32_UINT: what the next view has to know of a pixel
 MANYLIGHT_CONSTANT(int, kBindingInstances, 36);         // storage texel buffer, RGBA32_UINT: kTexelsPerInstance per Instance
 
 MANYLIGHT_SHARED_END
