@@ -142,6 +142,7 @@ Reference makeReference(Renderer& renderer, const Scene& scene, const RenderSett
     truth.shadowRays = 0;
     truth.filter = Filter::Off;
     truth.gatherStep = 1;
+    truth.temporal = false;
     truth.clamp = ClampMode::Off;
     truth.castShadows = true;
     truth.russianRoulette = true;

@@ -51,8 +51,7 @@ void applyTyped(RenderSettings& settings, const TypedSettings& typed) {
             if ((option == kPresetOption) == presets) applySetting(settings, option, value);
 }
 
-RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed) {
-    RenderSettings settings;
+RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed, RenderSettings settings) {
     applySettings(settings, scene.settings, scene.path.string() + ": settings");
     applyTyped(settings, typed);
     return settings;

@@ -33,8 +33,8 @@ InstanceMode instanceModeFrom(const std::string& mode);
 
 /// In the order they were typed, but the preset before what it presets.
 void applyTyped(RenderSettings& settings, const TypedSettings& typed);
-/// Sidecar settings first, then the command line's.
-RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed);
+/// `settings` of the program first, then the sidecar's, then the command line's.
+RenderSettings resolveSettings(const Scene& scene, const TypedSettings& typed, RenderSettings settings = {});
 
 /// Parses, runs `program`, and turns exceptions into one line and an exit code: 0, 1 (the world's fault), 2 (usage).
 int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>& program);

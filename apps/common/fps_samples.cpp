@@ -52,6 +52,7 @@ void restartFor(Renderer& renderer, RenderSettings settings, const FpsCell& cell
     settings.filter = cell.method == FpsMethod::Filtered ? Filter::Atrous : Filter::Off;
     settings.castShadows = cell.castShadows;
     settings.vplCount = cell.vplCount;
+    settings.temporal = false;  // frames of one view owe nothing to others
     renderer.restart(settings);
 }
 

@@ -40,6 +40,7 @@ RenderSettings Side::wanted(const SideView& view) const {
     result.lightSampleCount = share(settings.lightSampleCount, view.quality.vpls, 1);
     if (settings.pathCount > 0) result.pathCount = share(settings.pathCount, view.quality.vpls, kFewestVpls);
     result.jitter = !view.isMoving;  // while it moves, every frame is the first
+    result.temporal = settings.temporal && settings.technique == Technique::Deferred;
     return result;
 }
 
@@ -65,6 +66,9 @@ void Side::start(const Scene& scene, const RenderSettings& wanted, const SideVie
 void Side::update(const Scene& scene, const SideView& view) {
     if (!isStale(view)) return;
     const RenderSettings next = wanted(view);
+    // What moves goes on from what was seen, and so does what comes to rest.
+    const bool goesOn = view.isMoving || (wasMoving_ && sameCamera(camera_, view.camera));
+    if (renderer_ && (isForgotten_ || !goesOn)) renderer_->forgetHistory();
     isForgotten_ = false;
     wasMoving_ = view.isMoving;
     try {
@@ -86,6 +90,7 @@ void Side::showAsAsked() {
 
 void Side::sceneMoved(const Scene& scene, AnimatedScene::Change change) {
     if (!renderer_) return;
+    if (!wasMoving_) renderer_->forgetHistory();
     try {
         change == AnimatedScene::Change::Everything ? renderer_->sceneReplaced(applied_)
                                                     : renderer_->sceneMoved(applied_);

@@ -27,6 +27,13 @@ double diagonalOf(const Scene& scene) {
     return std::ldexp(glm::length(glm::dvec3(scene.boundsMax - scene.boundsMin)), scene.frame.exponent);
 }
 
+/// What the viewer asks for where nobody else asks.
+RenderSettings ownSettings() {
+    RenderSettings settings;
+    settings.temporal = true;
+    return settings;
+}
+
 /// The other side begins as what is true.
 RenderSettings truthFor(RenderSettings settings) {
     settings.technique = Technique::PathTracer;
@@ -47,7 +54,7 @@ Viewer::Start Viewer::load(const ViewerOptions& options) {
     Start start{PlayableScene(options.scene, instanceModeFrom(options.instances), time), {}, {}};
     const Scene& scene = start.scene.scene();
     printWarnings(scene.warnings);
-    start.settings = resolveSettings(scene, options.settings);
+    start.settings = resolveSettings(scene, options.settings, ownSettings());
     const size_t camera = std::min<size_t>(start.settings.camera, scene.cameras.size() - 1);
     start.size = start.settings.width > 0 ? glm::uvec2(start.settings.width, start.settings.height)
                                           : scene.cameras[camera].resolution.value_or(glm::uvec2{512, 384});
@@ -83,7 +90,7 @@ void Viewer::open(const std::filesystem::path& file) {
     const Scene& scene = opened.scene();
     printWarnings(scene.warnings);
     Side side(device_);
-    side.settings = resolveSettings(scene, options_.settings);
+    side.settings = resolveSettings(scene, options_.settings, ownSettings());
     SideView view = sideView();
     view.camera.reset();
     side.update(scene, view);  // until here an Error leaves everything as it was

@@ -119,6 +119,7 @@ Json sidecarOf(const ViewToSave& view, const fs::path& target) {
         settings.erase("camera");  // the sidecar has one camera, which knows the size
     else
         settings["size"] = fmt::format("{}x{}", view.resolution.x, view.resolution.y);
+    if (view.settings.temporal) settings.erase("temporal");  // the viewer has it by itself; others would pay for nothing
     json["settings"] = settings;
     return json;
 }

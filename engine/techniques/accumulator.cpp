@@ -14,19 +14,18 @@ PhysicalImage makeImage(gpu::Device& device, const std::string& name, uint32_t w
     return image;
 }
 
-/// RGB of an RGBA32F image, times `scale`.
-Image scaledRgb(gpu::Device& device, PhysicalImage& source, uint32_t width, uint32_t height, double scale) {
+}  // namespace
+
+Image scaledRgb(gpu::Device& device, PhysicalImage& source, double scale) {
     const std::vector<std::byte> bytes = readPhysical(device, source);
-    Image image(width, height, 3);
-    for (size_t pixel = 0; pixel < size_t{width} * height; ++pixel) {
+    Image image(source.texture.info().width, source.texture.info().height, 3);
+    for (size_t pixel = 0; pixel < size_t{image.width} * image.height; ++pixel) {
         float rgba[4];
         std::memcpy(rgba, bytes.data() + pixel * sizeof(rgba), sizeof(rgba));
         for (size_t c = 0; c < 3; ++c) image.texels[pixel * 3 + c] = static_cast<float>(double{rgba[c]} * scale);
     }
     return image;
 }
-
-}  // namespace
 
 Accumulator::Accumulator(gpu::Device& device, const std::string& name, uint32_t width, uint32_t height,
                          bool keepsVariance)
@@ -54,13 +53,13 @@ ImageHandle Accumulator::add(FrameGraph& graph, const SceneHandles& scene, Image
 
 Image Accumulator::mean(gpu::Device& device, uint32_t frameCount) {
     MANYLIGHT_CHECK(frameCount > 0u, "{}", name_);
-    return scaledRgb(device, sum_, width_, height_, 1.0 / frameCount);
+    return scaledRgb(device, sum_, 1.0 / frameCount);
 }
 
 Image Accumulator::varianceOfMean(gpu::Device& device, uint32_t frameCount) {
     MANYLIGHT_CHECK(keepsVariance(), "{}", name_);
     MANYLIGHT_CHECK(frameCount > 1u, "{}", name_);
-    return scaledRgb(device, squaredDeviations_, width_, height_, 1.0 / (frameCount * (frameCount - 1.0)));
+    return scaledRgb(device, squaredDeviations_, 1.0 / (frameCount * (frameCount - 1.0)));
 }
 
 }  // namespace manylight

@@ -9,6 +9,9 @@
 
 namespace manylight {
 
+/// RGB of an RGBA32F image, times `scale`.
+Image scaledRgb(gpu::Device& device, PhysicalImage& source, double scale);
+
 class Accumulator {
   public:
     Accumulator() = default;

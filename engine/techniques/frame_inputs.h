@@ -1,7 +1,7 @@
 // What a technique is given to declare one frame.
 #pragma once
 
-#include "engine/passes/gpu_scene.h"
+#include "engine/passes/gbuffer.h"
 #include "engine/techniques/settings.h"
 
 namespace manylight {
@@ -24,6 +24,7 @@ struct TechniqueResult {
     std::optional<ImageHandle> depth = std::nullopt;  // a path tracer has none
     std::optional<BufferHandle> vpls = std::nullopt;
     std::optional<ImageHandle> cutOff = std::nullopt;  // radiance that the bound on the geometry term took; deferred only
+    std::optional<GBuffer> gbuffer = std::nullopt;         // deferred only
 };
 
 }  // namespace manylight

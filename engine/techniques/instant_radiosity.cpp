@@ -118,7 +118,7 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
     if (lights.vplCount > 0 || !radiance) radiance = addGather(graph, scene, inputs, gbuffer, lights, gather, radiance);
     if (lights.vplCount > 0 && settings.clamp == ClampMode::Compensate)
         radiance = addCompensation(graph, scene, inputs.plan, gbuffer, lights.vpls, *radiance, width, height);
-    TechniqueResult result{*radiance, gbuffer.depth, lights.list(), std::nullopt};
+    TechniqueResult result{*radiance, gbuffer.depth, lights.list(), std::nullopt, gbuffer};
     if (inputs.keepsCutOff) {
         gather.cutOff = true;
         result.cutOff =

@@ -97,6 +97,20 @@ uint32_t toneCurveOf(ToneCurve curve) {
     return shared::kToneAces;
 }
 
+/// Whether pictures of both have the same mean. Numbers of samples and pixels are not asked.
+bool meansTheSame(const RenderSettings& a, RenderSettings b) {
+    b.camera = a.camera;
+    b.width = a.width;
+    b.height = a.height;
+    b.vplCount = a.vplCount;
+    b.pathCount = a.pathCount;
+    b.lightSampleCount = a.lightSampleCount;
+    b.jitter = a.jitter;
+    b.exposure = a.exposure;
+    b.toneCurve = a.toneCurve;
+    return a == b;
+}
+
 /// A channel of the G-buffer instead of light.
 bool showsChannel(Show show) { return show != Show::Picture && show != Show::Vpls && show != Show::CutOff; }
 
@@ -133,6 +147,7 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
       keepsVariance_(plan_.pixelVariance),
       keepsDisplay_(plan_.display) {
     resolve(settings);
+    if (isTemporal()) temporal_.makeRoom(device_, settings_.width, settings_.height);
     makeTargets();
 }
 
@@ -143,10 +158,12 @@ void Renderer::restart(const RenderSettings& settings) {
         failUsage("--materials {}: expected the same for all pictures of one run", name(settings.materials));
     if (settings.rays != settings_.rays)
         failUsage("--rays {}: expected the same for all pictures of one run", name(settings.rays));
-    const glm::uvec2 before{settings_.width, settings_.height};
+    const RenderSettings before = settings_;
     if (settings.camera != settings_.camera) isCameraGiven_ = false;
     resolve(settings);
-    if (before != glm::uvec2{settings_.width, settings_.height}) {
+    if (!meansTheSame(before, settings_)) temporal_ = {};
+    if (isTemporal()) temporal_.makeRoom(device_, settings_.width, settings_.height);
+    if (before.width != settings_.width || before.height != settings_.height) {
         makeTargets();
         gatherTuner_ = {};
     }
@@ -177,6 +194,7 @@ void Renderer::relight(const Scene& scene) {
     chooseGBuffer();
     replaceEmitters(device_, gpuScene_, scene_, plan_);
     frameCount_ = 0;
+    forgetHistory();
     litArea_.reset();
     if (settings_.clamp != ClampMode::Off) measureLitArea();
 }
@@ -191,7 +209,8 @@ void Renderer::setDisplay(float exposure, ToneCurve curve) {
 void Renderer::makeDisplay() {
     FrameGraph graph;
     const SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
-    graph.keep(declareDisplay(graph, scene, radiance_.sum(graph), frameCount_));
+    const ImageHandle sum = isTemporal() ? temporal_.shown(graph) : radiance_.sum(graph);
+    graph.keep(declareDisplay(graph, scene, sum, frameCount_));
     executor_.execute(graph);
 }
 
@@ -206,6 +225,7 @@ void Renderer::sceneMoved(const RenderSettings& settings) {
     planAgain();
     moveInstances(device_, gpuScene_, scene_, plan_);
     litArea_.reset();
+    temporal_.sceneMoved();
     restart(settings);
 }
 
@@ -217,6 +237,7 @@ void Renderer::sceneReplaced(const RenderSettings& settings) {
     gpuScene_ = uploadTimed(device_, scene_, plan_, bvh, startupTimes_.upload);
     gatherTuner_ = {};
     litArea_.reset();
+    forgetHistory();
     restart(settings);
 }
 
@@ -245,6 +266,8 @@ void Renderer::resolve(const RenderSettings& settings) {
     const bool needsDeferred = settings.interleave > 1 || settings.shadowRays > 0 || settings.filter != Filter::Off;
     if (settings.technique != Technique::Deferred && needsDeferred)
         failUsage("--interleave, --shadow-rays and --filter: expected --technique deferred");
+    if (settings.technique != Technique::Deferred && settings.temporal)
+        failUsage("--temporal on: expected --technique deferred");
     if (settings.technique != Technique::Deferred && settings.gbuffer == GBufferBy::Rays)
         failUsage("--gbuffer rays: expected --technique deferred");
     if (settings.show == Show::Vpls && settings.gbuffer == GBufferBy::Rays)
@@ -290,6 +313,7 @@ void Renderer::measureLitArea() {
     settings_.bounceCount = kPilotBounces;
     settings_.lighting = Lighting::Global;
     settings_.russianRoulette = true;
+    settings_.temporal = false;
     frameCount_ = 0;
     writeFrameConstants();
 
@@ -327,13 +351,22 @@ void Renderer::makeDisplayTarget() {
         gpu::Texture(device_, "display", {VK_FORMAT_R8G8B8A8_UNORM, settings_.width, settings_.height, kUsage});
 }
 
-void Renderer::writeFrameConstants() {
-    const Camera& camera = camera_;
+ViewAxes Renderer::view() const {
     const float aspect = static_cast<float>(settings_.width) / static_cast<float>(settings_.height);
-    const ViewAxes view = viewAxes(camera.origin, camera.forward, camera.up, camera.verticalFov, aspect);
+    return viewAxes(camera_.origin, camera_.forward, camera_.up, camera_.verticalFov, aspect);
+}
+
+/// The first frame of a view goes on where those of earlier views ended, or they would all have the same light paths.
+uint32_t Renderer::numberInSequence() const {
+    return isTemporal() && frameCount_ == 0 ? temporal_.framesBefore(view()) : frameCount_;
+}
+
+void Renderer::writeFrameConstants() {
+    const ViewAxes view = this->view();
+    const uint32_t frameNumber = numberInSequence();
     const uint32_t seed =
-        settings_.continuesSequences ? settings_.seed : shared::hashCombine(settings_.seed, frameCount_);
-    const uint32_t number = settings_.continuesSequences ? frameCount_ : 0;  // of the frame in its sequences
+        settings_.continuesSequences ? settings_.seed : shared::hashCombine(settings_.seed, frameNumber);
+    const uint32_t number = settings_.continuesSequences ? frameNumber : 0;  // of the frame in its sequences
     const glm::vec2 offset = settings_.jitter ? shared::owenScrambledSobol2d(number, seed) : glm::vec2(0.5f);
     const glm::vec2 size{settings_.width, settings_.height};
     const EmitterTable& table = gpuScene_.emitterTable;
@@ -387,7 +420,9 @@ FrameGraph Renderer::declareFrame() {
     SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
     addStatusReset(graph, scene);
 
-    const FrameInputs inputs{.settings = settings_,
+    RenderSettings settings = settings_;
+    settings.interleavePhase += numberInSequence() - frameCount_;
+    const FrameInputs inputs{.settings = settings,
                              .plan = plan_,
                              .gpuScene = gpuScene_,
                              .frame = frameCount_,
@@ -407,7 +442,8 @@ FrameGraph Renderer::declareFrame() {
         copyVplsToHost(graph, *result.vpls, vplCopy_);
     }
 
-    const ImageHandle sum = radiance_.add(graph, scene, result.radiance, frameCount_);
+    ImageHandle sum = radiance_.add(graph, scene, result.radiance, frameCount_);
+    if (isTemporal()) sum = temporal_.add(graph, scene, plan_, *result.gbuffer, result.radiance, sum, frameCount_);
     if (cutOff_.exists() && result.cutOff) cutOff_.add(graph, scene, *result.cutOff, frameCount_);
     graph.keep(keepsDisplay_ ? declareDisplay(graph, scene, sum, frameCount_ + 1) : sum);
     addStatusReadback(graph, scene);
@@ -431,6 +467,7 @@ Execution Renderer::renderFrame() {
     warnings_.add("light-path vertices whose shading-normal correction met its bound", {},
                   status_.shadingNormalsCapped);
     ++frameCount_;
+    if (isTemporal()) temporal_.finishFrame(view(), frameCount_);
     return execution;
 }
 
@@ -464,7 +501,9 @@ void Renderer::keepCutOff(bool keeps) {
     frameCount_ = 0;
 }
 
-Image Renderer::radiance() { return radiance_.mean(device_, frameCount_); }
+Image Renderer::radiance() {
+    return isTemporal() ? temporal_.mean(device_, frameCount_) : radiance_.mean(device_, frameCount_);
+}
 
 Image Renderer::varianceOfMean() { return radiance_.varianceOfMean(device_, frameCount_); }
 

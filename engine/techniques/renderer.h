@@ -7,6 +7,7 @@
 #include "engine/techniques/accumulator.h"
 #include "engine/techniques/gather_tuner.h"
 #include "engine/techniques/settings.h"
+#include "engine/techniques/temporal_history.h"
 
 #include <memory>
 #include <string>
@@ -29,14 +30,17 @@ class Renderer {
     /// Throws Error if the driver cut a ray off (the picture would be wrong).
     Execution renderFrame();
 
-    /// Forgets the frames so far. Resolves as the constructor does; `materials`, `plan` and `rays` stay what they were
-    /// there.
+    /// Forgets the frames so far, but for what --temporal makes of them. Resolves as the constructor does; `materials`,
+    /// `plan` and `rays` stay what they were there.
     void restart(const RenderSettings& settings);
 
     /// Forgets the frames so far and looks from `camera`, until restart() is given another index than before.
     void lookThrough(const Camera& camera);
     /// Forgets the frames so far. `scene` is the constructor's with other lights, or other emission of its materials.
     void relight(const Scene& scene);
+    /// With --temporal: what is rendered from now on owes nothing to other views. Lights, settings and scenes that
+    /// change see to that themselves.
+    void forgetHistory() { temporal_.forget(); }
     /// Keeps the frames so far, and shows them accordingly if there are any.
     void setDisplay(float exposure, ToneCurve curve);
     /// After instances, lights or cameras of the scene have moved, as AnimatedScene::moveTo() does. Restarts, as
@@ -46,7 +50,8 @@ class Renderer {
     /// the pipelines that there are. Restarts. Throws Error as the constructor does, and is of no use after that.
     void sceneReplaced(const RenderSettings& settings);
 
-    /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units.
+    /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units; with --temporal, as long as
+    /// there are few, together with light of earlier views.
     Image radiance();
     /// The picture as displayed: exposure, tone curve; RGB bytes as sRGB-encoded values / 255, row 0 at the top.
     std::vector<uint8_t> displayRgba();
@@ -102,6 +107,9 @@ class Renderer {
     void makeTargets();
     void makeDisplayTarget();
     void makeDisplay();
+    ViewAxes view() const;
+    bool isTemporal() const { return settings_.temporal && settings_.show == Show::Picture; }
+    uint32_t numberInSequence() const;
     void writeFrameConstants();
     void chooseGBuffer();
     FrameGraph declareFrame();
@@ -126,6 +134,7 @@ class Renderer {
     PhysicalBuffer vplCopy_;
     Accumulator radiance_;
     Accumulator cutOff_;  // exists only if asked for
+    TemporalHistory temporal_;
     PhysicalImage display_;
     shared::FrameStatus status_{};
     Warnings warnings_;

@@ -88,6 +88,7 @@ struct RenderSettings {
     float vplDotRadius = 3.0f;       // --show vpls, pixels
     bool continuesSequences = true;  // frames draw from one sequence; otherwise each is a sample of its own
     bool jitter = false;             // a new place in the pixel for every frame: the 1 x 1 box filter
+    bool temporal = false;           // light of earlier views stands in for frames to come
     bool plan = true;                // leave out what the scene does not need
     std::string planKeeps;           // but for one thing, named as in the plan's decisions; for measuring what it costs
     bool checkFinite = false;        // look at what every pass wrote; slow

@@ -28,6 +28,20 @@ TEST_F(TechniqueGraph, Deferred) { expectSnapshot("technique_deferred", graphOf(
 TEST_F(TechniqueGraph, DeferredAndFiltered) {
     expectSnapshot("technique_deferred_filtered", graphOf(Technique::Deferred, ClampMode::Off, 4, 4));
 }
+// The second view, which looks back at the first.
+TEST_F(TechniqueGraph, DeferredAndTemporal) {
+    const Scene scene = cornellBox();
+    RenderSettings settings = plainSettings(64, 48);
+    settings.vplCount = 16;
+    settings.temporal = true;
+    Renderer renderer(device(), scene, settings);
+    renderer.keepDisplay();
+    renderer.renderFrame();
+    Camera camera = scene.cameras.front();
+    camera.origin.x += 0.01f;
+    renderer.lookThrough(camera);
+    expectSnapshot("technique_deferred_temporal", renderer.dumpGraph().text);
+}
 TEST_F(TechniqueGraph, Forward) { expectSnapshot("technique_forward", graphOf(Technique::Forward)); }
 TEST_F(TechniqueGraph, ForwardPrepass) {
     expectSnapshot("technique_forward_prepass", graphOf(Technique::ForwardPrepass));
