@@ -35,10 +35,8 @@ TemporalImages addTemporal(FrameGraph& graph, const SceneHandles& scene, const S
     readGBuffer(pass, gbuffer);
     pass.read(radiance, Access::ComputeStorageRead, shared::kBindingRadiance)
         .read(sum, Access::ComputeStorageRead, shared::kBindingRadianceSum);
-    if (hasHistory)
-        pass.read(history, Access::ComputeStorageRead, shared::kBindingHistory);
-    else
-        history = pass.write(history, Access::ComputeStorageWrite, shared::kBindingHistory);  // left as it is
+    pass.write(history, hasHistory ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
+               shared::kBindingHistory);
     images.shown = pass.write(images.shown, Access::ComputeStorageWrite, shared::kBindingShown);
     images.guide = pass.write(images.guide, isFirst ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite,
                               shared::kBindingHistoryGuide);

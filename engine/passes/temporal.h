@@ -20,7 +20,7 @@ ImageHandle addReprojection(FrameGraph& graph, const SceneHandles& scene, const 
                             const shared::ReprojectionPush& push, uint32_t width, uint32_t height);
 
 /// Writes the picture that is shown after `frameCount` frames of a view, of which `sum` is the sum and `radiance` the
-/// last. `history` has content if `hasHistory`. Returns the new versions.
+/// last. `history` is cleared unless `hasHistory`. Returns the new versions.
 TemporalImages addTemporal(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
                            ImageHandle radiance, ImageHandle sum, ImageHandle history, bool hasHistory,
                            TemporalImages images, uint32_t frameCount, uint32_t width, uint32_t height);

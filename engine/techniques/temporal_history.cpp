@@ -8,8 +8,6 @@
 namespace manylight {
 namespace {
 
-constexpr float kFramesThatTellScatter = 4.0f;  // of fewer, light that scatters would be taken for light that changes
-
 PhysicalImage makeImage(gpu::Device& device, const std::string& name, VkFormat format, uint32_t width,
                         uint32_t height) {
     constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
@@ -54,7 +52,7 @@ shared::ReprojectionPush TemporalHistory::reprojection(const Images& before) con
             .right = view_.right,
             .areaShare = std::min(1.0f, sizeBefore.x * sizeBefore.y / (size.x * size.y)),
             .down = view_.down,
-            .clampsFrom = sceneMoved_ ? 0.0f : kFramesThatTellScatter,
+            .sceneMoved = sceneMoved_,
             .forward = view_.forward,
             .size = sizeBefore};
 }

@@ -15,7 +15,7 @@ class TemporalHistory {
     void makeRoom(gpu::Device& device, uint32_t width, uint32_t height);
     /// The next view begins without a history.
     void forget();
-    /// Objects or lights have moved: the next view trusts only as much as it cannot tell from noise.
+    /// Objects or lights have moved: the next view takes over what does not differ from the pixels around.
     void sceneMoved() { sceneMoved_ = true; }
 
     /// Frames since forget(), if those before the first one of `view` show something else; 0 otherwise. Light of

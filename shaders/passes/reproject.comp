@@ -18,6 +18,7 @@ const float kPlaneFootprints = 1.5;  // off the plane
 const float kLeastCosine = 0.9;      // between normals
 const float kMostContrast = 4.0;     // of textures that stay sharp
 const float kMostDeviations = 3.0;   // from the mean of 3 x 3 pixels
+const float kFramesThatTell = 4.0;   // how far they scatter
 
 const History kNoHistory = History(vec3(0.0), 0.0, 0.0);
 
@@ -73,6 +74,10 @@ History historyOf(Receiver receiver, uvec4 guide) {
                    sum.scatter / weights);
 }
 
+// When the camera alone moves, light changes little, and what earlier frames scattered is to be expected of this one.
+// Objects that move bring shadows with them, whose edges would pass for scatter.
+bool isTrusted(History found) { return push.sceneMoved == 0u && found.frames < kFramesThatTell; }
+
 // Light that has changed is pulled towards that of now, and counts as fewer frames the farther off it was.
 History withinReach(History found, ivec2 pixel) {
     vec3 around[9];
@@ -88,7 +93,7 @@ History withinReach(History found, ivec2 pixel) {
     const float level = max(brightness(mean), 1e-30);  // squares of very faint light would underflow
     vec3 squares = vec3(0.0);
     for (int i = 0; i < count; ++i) squares += (around[i] - mean) / level * ((around[i] - mean) / level);
-    const vec3 overTime = found.scatter * mean / level;
+    const vec3 overTime = push.sceneMoved == 0u ? found.scatter * mean / level : vec3(0.0);
     const vec3 reach = kMostDeviations * sqrt(squares / float(count) + overTime * overTime) + 1e-3;  // or rounding tells
     const vec3 away = (found.radiance - mean) / level;
     const vec3 kept = min(reach / max(abs(away), vec3(1e-30)), vec3(1.0));
@@ -102,6 +107,6 @@ void main() {
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const GBufferPixel seen = readGBuffer(pixel, false);
     History found = historyOf(seen.receiver, historyGuide(seen, 0.0));
-    if (found.frames > 0.0 && found.frames >= push.clampsFrom) found = withinReach(found, pixel);
+    if (found.frames > 0.0 && !isTrusted(found)) found = withinReach(found, pixel);
     imageStore(history, pixel, packHistory(found));
 }

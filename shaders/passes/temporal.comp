@@ -12,7 +12,7 @@ layout(constant_id = 41) const bool kHasHistory = false;
 layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) readonly uniform image2D radianceImage;
 layout(set = 0, binding = kBindingRadianceSum, rgba32f) readonly uniform image2D radianceSum;
-layout(set = 0, binding = kBindingHistory, rgba32ui) readonly uniform uimage2D history;
+layout(set = 0, binding = kBindingHistory, rgba32ui) uniform uimage2D history;
 layout(set = 0, binding = kBindingShown, rgba32f) writeonly uniform image2D shownSum;
 layout(set = 0, binding = kBindingHistoryGuide, rgba32ui) uniform uimage2D guide;
 layout(push_constant, scalar) uniform Push { TemporalPush push; };
@@ -31,7 +31,10 @@ void main() {
     const vec3 radiance = imageLoad(radianceImage, pixel).rgb;
     const vec3 sum = imageLoad(radianceSum, pixel).rgb;
     History earlier = History(vec3(0.0), 0.0, 0.0);
-    if (kHasHistory) earlier = unpackHistory(imageLoad(history, pixel));
+    if (kHasHistory)
+        earlier = unpackHistory(imageLoad(history, pixel));
+    else
+        imageStore(history, pixel, packHistory(earlier));
 
     const float missing = max(earlier.frames - (push.frames - 1.0), 0.0);
     vec3 shown = sum;

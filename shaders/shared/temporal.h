@@ -14,7 +14,7 @@ struct ReprojectionPush {
     vec3 right;        // times the half width of the image plane at distance 1
     float areaShare;   // of a pixel of now in one of then, at most 1: frames of a coarser picture count as less
     vec3 down;         // times the half height
-    float clampsFrom;  // frames; shorter histories do not know how much light scatters, and are left alone
+    uint sceneMoved;   // not the camera alone
     vec3 forward;
     uvec2 size;        // pixels
 };
