@@ -74,9 +74,12 @@ History historyOf(Receiver receiver, uvec4 guide) {
                    sum.scatter / weights);
 }
 
-// When the camera alone moves, light changes little, and what earlier frames scattered is to be expected of this one.
-// Objects that move bring shadows with them, whose edges would pass for scatter.
-bool isTrusted(History found) { return push.sceneMoved == 0u && found.frames < kFramesThatTell; }
+// When the camera alone moves, the light of a Lambertian does not change: a VPL that is near it for one frame would pass
+// for a change. Of what is glossy, earlier frames tell what scatter to expect. Objects that move bring shadows with them,
+// whose edges would pass for scatter.
+bool isTrusted(History found, Receiver receiver) {
+    return push.sceneMoved == 0u && (found.frames < kFramesThatTell || !isGlossy(receiver.bsdf.f90));
+}
 
 // Light that has changed is pulled towards that of now, and counts as fewer frames the farther off it was.
 History withinReach(History found, ivec2 pixel) {
@@ -107,6 +110,6 @@ void main() {
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const GBufferPixel seen = readGBuffer(pixel, false);
     History found = historyOf(seen.receiver, historyGuide(seen, 0.0));
-    if (found.frames > 0.0 && !isTrusted(found)) found = withinReach(found, pixel);
+    if (found.frames > 0.0 && !isTrusted(found, seen.receiver)) found = withinReach(found, pixel);
     imageStore(history, pixel, packHistory(found));
 }
