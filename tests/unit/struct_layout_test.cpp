@@ -6,6 +6,7 @@
 #include "shaders/shared/path_trace.h"
 #include "shaders/shared/reconstruct.h"
 #include "shaders/shared/show.h"
+#include "shaders/shared/temporal.h"
 #include "shaders/shared/tonemap.h"
 #include "shaders/shared/trace_rays.h"
 #include "shaders/shared/visibility_rays.h"
@@ -123,6 +124,12 @@ const std::map<std::string, ExpectedStruct> kStructs = {
      {{MEMBER(VisibilityPush, width), MEMBER(VisibilityPush, period), MEMBER(VisibilityPush, rays)},
       sizeof(shared::VisibilityPush)}},
     {"AtrousPush", {{MEMBER(AtrousPush, spacing), MEMBER(AtrousPush, deviations)}, sizeof(shared::AtrousPush)}},
+    {"ReprojectionPush",
+     {{MEMBER(ReprojectionPush, origin), MEMBER(ReprojectionPush, frames), MEMBER(ReprojectionPush, right),
+       MEMBER(ReprojectionPush, areaShare), MEMBER(ReprojectionPush, down), MEMBER(ReprojectionPush, sceneMoved),
+       MEMBER(ReprojectionPush, forward), MEMBER(ReprojectionPush, size)},
+      sizeof(shared::ReprojectionPush)}},
+    {"TemporalPush", {{MEMBER(TemporalPush, frames)}, sizeof(shared::TemporalPush)}},
     {"VisibilityRaysPush",
      {{MEMBER(VisibilityRaysPush, firstRow), MEMBER(VisibilityRaysPush, endRow)}, sizeof(shared::VisibilityRaysPush)}},
     {"ResamplePush",
