@@ -53,7 +53,7 @@ BenchCommand addStabilityCommand(CLI::App& app) {
     parser->add_option("--case", options->cases, "run this case; may be repeated")
         ->allow_extra_args(false)
         ->type_name("NAME");
-    parser->add_flag("--quick", options->onlyQuick, "the quick half: about a minute on two cores");
+    parser->add_flag("--quick", options->onlyQuick, "the quick half: about two minutes on two cores");
     parser->add_flag("--list", options->lists, "print the cases and exit");
     parser->add_option("--crack", options->crackScene, "instead: rays at the edges of this scene must not slip through")
         ->type_name("SCENE");
