@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
 constexpr uint32_t kLevels = 3;
-constexpr uint32_t kFewestFramesOfACycle = 16;
+constexpr double kWholeFrames = 4.0;  // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
 
 }  // namespace
 
@@ -25,8 +25,7 @@ uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep) {
 }
 
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame) {
-    const uint32_t cycle = std::max(interleave * interleave, kFewestFramesOfACycle);
-    const double share = std::min(1.0, static_cast<double>(cycle) / (frame + 1.0));
+    const double share = std::min(1.0, kWholeFrames / (frame + 1.0));
     const auto shrunk = static_cast<float>(std::pow(share, 1.0 / 6.0));
     ReconstructionSchedule schedule;
     schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shrunk);

@@ -21,9 +21,9 @@ struct ReconstructionSchedule {
     bool filters() const { return blockWidth > 1.0f || !levels.empty(); }
 };
 
-/// The whole filter for as many frames as a pixel needs to meet all VPLs; then its radius falls with the sixth root of
-/// their number, which balances bias and variance as in progressive photon mapping [KaplanyanDachsbacher2013]. In the
-/// end nothing is filtered. `frame`: how many there were before.
+/// The whole filter for the first four frames; then its radius falls with the sixth root of their number, which
+/// balances bias and variance as in progressive photon mapping [KaplanyanDachsbacher2013]. In the end nothing is
+/// filtered. `frame`: how many there were before.
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame);
 
 /// What --gather-step comes to: the largest number up to it that divides the period.

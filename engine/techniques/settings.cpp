@@ -113,9 +113,9 @@ struct Preset {
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {6400, 8, 2, 4, Filter::Atrous, ClampMode::Bound, 4};
-        case Quality::Interactive:
             return {3200, 4, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
+        case Quality::Interactive:
+            return {1600, 2, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Final:
             break;
     }

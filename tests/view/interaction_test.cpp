@@ -66,7 +66,7 @@ TEST_F(ViewerInteraction, ThePictureFollowsTheMouseWithinTwoFrames) {
     view(
         "set panel off\nframes 1\ncapture before.png\nset budget 0\nlatency 8\nreport full.json\nset budget 20\n"
         "latency 8\nreport budget.json\nframes 1\ncapture after.png",
-        "--vpls 4");
+        "--vpls 4 --temporal off");
     for (const char* name : {"full.json", "budget.json"}) {
         const Json latency = jsonOf(name)["latency"];
         EXPECT_EQ(latency["inputs"], 8);
