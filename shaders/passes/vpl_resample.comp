@@ -88,28 +88,22 @@ float sumOfWeights(Receiver receiver, out vec3 unshadowed) {
     return sum;
 }
 
-// Where the running sum of weights passes (j + u) / kRays of the whole: a stratified draw in the order of the list.
+// Where the running sum of weights passes (j + u) / kRays of the whole: a stratified draw in the order of the list. Every
+// draw goes along with the list until then; no branch depends on which.
 void drawVpls(Receiver receiver, float total, float u, out uint drawn[kMostShadowRays]) {
     const float stride = total / float(kRays);
-    float threshold = u * stride;
     float sum = 0.0;
-    uint count = 0u;
     uint last = 0u;
+    for (uint j = 0u; j < kRays; ++j) drawn[j] = 0u;
     for (uint base = 0u; base < subsetSize; base += kVplBlock) {
         loadBlockOfSubset(base);
         for (uint i = 0u; i < kVplBlock; ++i) {
-            const float w = weight(receiver, shareOfVpl(receiver, vplOfBlock(i), i, frame.geometryBound));
-            if (w <= 0.0) continue;
+            const float w = max(weight(receiver, shareOfVpl(receiver, vplOfBlock(i), i, frame.geometryBound)), 0.0);
+            last = w > 0.0 ? base + i : last;
+            for (uint j = 0u; j < kRays; ++j) drawn[j] = sum <= (float(j) + u) * stride ? last : drawn[j];
             sum += w;
-            last = base + i;
-            for (; count < kRays && sum > threshold; ++count) {
-                drawn[count] = last;
-                threshold = (float(count + 1u) + u) * stride;
-            }
         }
     }
-    // Rounding may leave the last threshold above the sum.
-    for (; count < kRays; ++count) drawn[count] = last;
 }
 
 // `error`: of the mean of the channels of the sum, from how the draws scatter; as a standard deviation.
