@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Error at equal time of Manylight, its path tracer, Mitsuba 3's, and the latter with Open Image Denoise.
 
-    python3 -m venv venv && venv/bin/pip install mitsuba numpy pyoidn
+    python3 -m venv venv && venv/bin/pip install mitsuba numpy pyoidn OpenEXR
     venv/bin/python scripts/equal_time.py --programs build/release/bin cornell_box.json=reference.exr
 
 Surfaces are Lambertian for all. Each renders 1, 2, 4, ... samples of every pixel until the budget is spent, once before to warm
-up; errors are against the reference, by manylight-compare, without pixels that see a lamp or are next to one that does.
+up; errors are against the reference, by manylight-compare, without pixels that see something emit or are next to one that
+does. What is denoised pays for that.
 Between those times they are interpolated on logarithmic scales. Building the scene and compiling are not counted. Ends with 77 where
-Mitsuba is missing; without pyoidn its column is left out.
+Mitsuba is missing; without pyoidn the denoised columns are left out.
 """
 
 import argparse
@@ -29,12 +30,15 @@ except ImportError as error:
 import scene_description
 
 try:
-    import pyoidn
+    import denoise
 except ImportError:
-    pyoidn = None
+    denoise = None
 
-OURS = {"draft": ["--quality", "draft"], "path tracer": ["--technique", "path-tracer"]}
-BRIGHTER_IS_A_LAMP = 4.0  # times the 99th percentile of the reference
+OURS = {"draft": ["--quality", "draft"],
+        "compensated": ["--quality", "draft", "--clamp", "compensate"],
+        "path tracer": ["--technique", "path-tracer"]}
+OURS_DENOISED = ["--quality", "draft", "--clamp", "compensate", "--filter", "off", "--aov", "albedo,normal"]
+SAMPLES_OF_EMISSION = 64
 
 
 def parse_arguments():
@@ -48,13 +52,12 @@ def parse_arguments():
     return arguments
 
 
-def write_mask(reference, path):
-    """White where no pixel within one of it is of a lamp."""
-    brightest = reference.max(axis=2)
-    lamp = brightest > BRIGHTER_IS_A_LAMP * np.percentile(brightest, 99)
-    padded = np.pad(lamp, 1)
-    height, width = lamp.shape
-    near = np.zeros_like(lamp)
+def write_mask(emission, path):
+    """White where no pixel within one of it sees something emit."""
+    emits = emission.max(axis=2) > 0
+    padded = np.pad(emits, 1)
+    height, width = emits.shape
+    near = np.zeros_like(emits)
     for y in range(3):
         for x in range(3):
             near |= padded[y:y + height, x:x + width]
@@ -80,18 +83,34 @@ def our_frames(arguments, scene, settings, frames, picture):
     return (seconds["frames"] - seconds["first_frame"]) * frames / (frames - 1)
 
 
-def measure_ours(arguments, scene, settings, measure, scratch):
+def seconds_to_denoise(picture):
+    """Of the computation, twice: the first starts the library. The picture is replaced."""
+    channels = denoise.read(picture).channels()
+    planes = [denoise.layer(picture, channels, names) for names in (denoise.COLOUR, denoise.ALBEDO, denoise.NORMAL)]
+    denoise.denoised(*planes)
+    start = time.perf_counter()
+    clean = denoise.denoised(*planes)
+    seconds = time.perf_counter() - start
+    mitsuba_scene.write_picture(picture, clean)
+    return seconds
+
+
+def measure_ours(arguments, scene, settings, measure, scratch, denoises=False):
     """Rows of seconds and errors. A frame's time is known from two, so that the first row is written last."""
     picture = scratch / "ours.exr"
     our_frames(arguments, scene, settings, 3, picture)
     rows = []
     frames, seconds = 2, 0.0
+    one_frame = None
     while seconds < max(arguments.times):
         seconds = our_frames(arguments, scene, settings, frames, picture)
-        rows.append({"frames": frames, "seconds": seconds, **measure(picture)})
+        one_frame = one_frame or seconds / frames
+        after = seconds_to_denoise(picture) if denoises else 0.0
+        rows.append({"frames": frames, "seconds": seconds + after, **measure(picture)})
         frames *= 2
     our_frames(arguments, scene, settings, 1, picture)
-    return [{"frames": 1, "seconds": rows[0]["seconds"] / 2, **measure(picture)}, *rows]
+    after = seconds_to_denoise(picture) if denoises else 0.0
+    return [{"frames": 1, "seconds": one_frame + after, **measure(picture)}, *rows]
 
 
 def measure_mitsuba(arguments, loaded, measure, scratch, denoises):
@@ -106,7 +125,7 @@ def measure_mitsuba(arguments, loaded, measure, scratch, denoises):
         pixels = np.array(mi.render(loaded, seed=spp, spp=spp)).astype(np.float32)
         if denoises:
             colour, albedo, normal = (np.ascontiguousarray(pixels[:, :, i:i + 3]) for i in (0, 3, 6))
-            pixels = pyoidn.denoise(colour, albedo=np.clip(albedo, 0, 1), normal=normal, hdr=True)
+            pixels = denoise.denoised(colour, albedo, normal)
         seconds = time.perf_counter() - start
         mitsuba_scene.write_picture(picture, np.asarray(pixels)[:, :, :3])
         rows.append({"frames": spp, "seconds": seconds, **measure(picture)})
@@ -138,23 +157,28 @@ def print_table(title, arguments, modes):
 def compare(arguments, argument, scratch):
     path, _, reference = argument.partition("=")
     path = pathlib.Path(path)
-    pixels = mitsuba_scene.read_picture(reference)
-    arguments.size = f"{pixels.shape[1]}x{pixels.shape[0]}"
+    height, width = mitsuba_scene.read_picture(reference).shape[:2]
+    size = [width, height]
+    arguments.size = f"{width}x{height}"
+    scene, max_depth, _ = scene_description.read(path, scratch)
+    depth = max_depth if max_depth is not None else -1
+
+    def load(longest, **more):
+        return mitsuba_scene.load(scene, size, longest, scratch, "diffuse", **more)
+
     mask = scratch / "mask.exr"
-    write_mask(pixels, mask)
+    write_mask(mitsuba_scene.render(load(1), SAMPLES_OF_EMISSION, 0), mask)
 
     def measure(picture):
         return errors(arguments, picture, reference, mask)
 
     modes = {name: measure_ours(arguments, path, settings, measure, scratch) for name, settings in OURS.items()}
-    scene, max_depth, _ = scene_description.read(path, scratch)
-    depth = max_depth if max_depth is not None else -1
-    size = [int(number) for number in arguments.size.split("x")]
-    loaded = mitsuba_scene.load(scene, size, depth, scratch, "diffuse")
-    modes["Mitsuba path"] = measure_mitsuba(arguments, loaded, measure, scratch, False)
-    if pyoidn:
-        loaded = mitsuba_scene.load(scene, size, depth, scratch, "diffuse", aovs="albedo:albedo,normal:sh_normal")
-        modes["Mitsuba path, denoised"] = measure_mitsuba(arguments, loaded, measure, scratch, True)
+    if denoise:
+        modes["compensated, denoised"] = measure_ours(arguments, path, OURS_DENOISED, measure, scratch, True)
+    modes["Mitsuba path"] = measure_mitsuba(arguments, load(depth), measure, scratch, False)
+    if denoise:
+        guided = load(depth, aovs="albedo:albedo,normal:sh_normal")
+        modes["Mitsuba path, denoised"] = measure_mitsuba(arguments, guided, measure, scratch, True)
     print_table(f"{path.stem}, {arguments.size}", arguments, modes)
     return {"scene": path.stem, "size": arguments.size, "modes": modes}
 

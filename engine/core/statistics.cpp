@@ -38,6 +38,16 @@ Spread spreadOf(const std::vector<double>& values) {
     return {percentileOfSorted(sorted, 0.5), percentileOfSorted(sorted, 0.05), percentileOfSorted(sorted, 0.95)};
 }
 
+Interval intervalOfMedian(std::vector<double> values) {
+    MANYLIGHT_CHECK(!values.empty(), "a median");
+    std::sort(values.begin(), values.end());
+    const auto count = static_cast<double>(values.size());
+    constexpr double kHalfOfNormal95 = 0.98;  // 1.96 standard deviations, sqrt(n) / 2 each
+    const double below = std::floor(count / 2.0 - kHalfOfNormal95 * std::sqrt(count));  // counted from 1
+    const auto rank = static_cast<size_t>(std::max(below - 1.0, 0.0));
+    return {values[rank], values[values.size() - 1 - rank]};
+}
+
 Estimate estimate(const std::vector<double>& samples) {
     MANYLIGHT_CHECK(!samples.empty(), "a mean");
     const auto count = static_cast<double>(samples.size());

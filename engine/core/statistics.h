@@ -20,6 +20,14 @@ struct Spread {
 };
 Spread spreadOf(const std::vector<double>& values);
 
+struct Interval {
+    double low = 0.0;
+    double high = 0.0;
+};
+/// Where the median of the distribution lies with at least 95 % confidence, whatever its shape: between the values whose
+/// ranks are 0.98 sqrt(n) away from the middle (Conover 1999, section 3.2). With fewer than 6, all: 94 % for five. Not empty.
+Interval intervalOfMedian(std::vector<double> values);
+
 /// Mean of independent samples, and the standard error of that mean: 0 for a single one.
 struct Estimate {
     double mean = 0.0;

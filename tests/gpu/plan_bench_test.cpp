@@ -51,11 +51,23 @@ TEST_F(PlanBench, WhatIsLeftOutCostsTimeOrMemoryAndDoesNotShow) {
         EXPECT_GT(variant["milliseconds"]["median"].get<double>(), 0.0);
         EXPECT_TRUE(variant["pass_milliseconds"].contains("vpl_light")) << variant["pass_milliseconds"];
     }
-    EXPECT_THAT(names, ElementsAre("as planned", "vertex colours", "--plan off"));
+    EXPECT_THAT(names, ElementsAre("as planned", "vertex colours", "as planned, again", "--plan off"));
     const auto bytes = [&](size_t i) { return scene["variants"][i]["device_bytes"].get<uint64_t>(); };
     const uint64_t colourBytes = scene["triangles"].get<uint64_t>() * 3 * sizeof(uint64_t);
     EXPECT_GE(bytes(1), bytes(0) + colourBytes - 16);  // an empty buffer has 16 bytes
-    EXPECT_GT(bytes(2), bytes(1));
+    EXPECT_EQ(bytes(2), bytes(0));
+    EXPECT_GT(bytes(3), bytes(1));
+}
+
+TEST_F(PlanBench, OutputsThatAllAreAskedForAreNotSaved) {
+    ASSERT_EQ(run(cube_ + " --size 24x18 --vpls 8 --frames 2 --decisions 'variance of pixels' --all-outputs --json plan.json"),
+              0)
+        << errors();
+    const Json variants = Json::parse(readTextFile(folder_ / "plan.json"))["scenes"].at(0)["variants"];
+    ASSERT_EQ(variants.size(), 4u);
+    EXPECT_EQ(variants[1]["device_bytes"], variants[0]["device_bytes"]);
+    for (const char* pass : {"variance", "vpl_cut_off", "tonemap"})
+        EXPECT_TRUE(variants[0]["pass_milliseconds"].contains(pass)) << variants[0]["pass_milliseconds"];
 }
 
 TEST_F(PlanBench, WrongInputEndsInOneLine) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace manylight {
 namespace {
@@ -37,6 +38,26 @@ TEST(Statistics, SpreadIsMedianAndPercentiles) {
     EXPECT_DOUBLE_EQ(spread.median, 50.0);
     EXPECT_DOUBLE_EQ(spread.p5, 5.0);
     EXPECT_DOUBLE_EQ(spread.p95, 95.0);
+}
+
+TEST(Statistics, TheMedianLiesInItsIntervalAtLeastNineteenTimesOfTwenty) {
+    std::vector<double> ranks;
+    for (int i = 99; i >= 0; --i) ranks.push_back(i);
+    EXPECT_EQ(intervalOfMedian(ranks).low, 39.0);  // the 40th: 50 - 9.8, downwards
+    EXPECT_EQ(intervalOfMedian(ranks).high, 60.0);
+    EXPECT_EQ(intervalOfMedian({2.0, 1.0}).low, 1.0);
+    EXPECT_EQ(intervalOfMedian({2.0, 1.0}).high, 2.0);
+    // Skewed samples, whose median is ln 2. Seven or more of 25 lie on either side in 98.54 of 100 trials (binomial).
+    std::mt19937 bits(7);
+    std::exponential_distribution<double> exponential(1.0);
+    int held = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        std::vector<double> samples(25);
+        for (double& sample : samples) sample = exponential(bits);
+        const Interval interval = intervalOfMedian(samples);
+        held += interval.low <= std::log(2.0) && std::log(2.0) <= interval.high ? 1 : 0;
+    }
+    EXPECT_NEAR(held / 4000.0, 0.9854, 0.0076);  // four standard errors
 }
 
 TEST(Statistics, NothingHasNoPercentile) {

@@ -23,7 +23,7 @@ RenderSettings withPlan(RenderSettings settings, bool plan, const std::string& k
     return settings;
 }
 
-/// As planned, each thing that was left out kept alone (of `decisions`, if any), and everything kept.
+/// As planned, each thing that was left out kept alone (of `decisions`, if any), as planned once more, everything kept.
 std::vector<std::pair<PlanVariant, RenderSettings>> variantsOf(const ScenePlan& plan, const RenderSettings& settings,
                                                                const std::vector<std::string>& decisions) {
     const auto isAskedFor = [&](const PlanDecision& decision) {
@@ -40,6 +40,7 @@ std::vector<std::pair<PlanVariant, RenderSettings>> variantsOf(const ScenePlan& 
     for (const PlanDecision& decision : plan.decisions)
         if (decision.leftOut && decision.canBeKept && isAskedFor(decision))
             add(decision.what, decision.reason, withPlan(settings, true, decision.what));
+    add(kPlannedAgain, "", withPlan(settings, true, ""));
     add("--plan off", "nothing is left out", withPlan(settings, false, ""));
     return variants;
 }
@@ -70,15 +71,22 @@ PictureDifference differenceOf(const Image& picture, const Image& planned) {
     return result;
 }
 
+void askForAllOutputs(Renderer& renderer) {
+    renderer.keepVariance(true);
+    if (renderer.settings().technique == Technique::Deferred) renderer.keepCutOff(true);
+    renderer.keepDisplay();
+}
+
 /// A renderer and its first frame, twice: the first start fills the caches of pipelines, the second is timed.
 std::unique_ptr<Renderer> start(gpu::Device& device, const Scene& scene, const RenderSettings& settings,
-                                PlanVariant& variant) {
+                                bool wantsAllOutputs, PlanVariant& variant) {
     std::unique_ptr<Renderer> renderer;
     for (int turn = 0; turn < 2; ++turn) {
         renderer.reset();
         const VkDeviceSize before = device.allocator().bytesInUse();
         const auto begin = Clock::now();
         renderer = std::make_unique<Renderer>(device, scene, settings);
+        if (wantsAllOutputs) askForAllOutputs(*renderer);
         renderer->renderFrame();
         variant.startSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
         variant.deviceBytes = device.allocator().bytesInUse() - before;
@@ -104,12 +112,14 @@ PlanScene measureScene(gpu::Device& device, const PlanOptions& options, const st
     std::vector<std::unique_ptr<Renderer>> renderers;
     for (auto& [variant, ofVariant] : variants) {
         if (isInterrupted()) return result;
-        renderers.push_back(start(device, scene, ofVariant, variant));
+        renderers.push_back(start(device, scene, ofVariant, options.wantsAllOutputs, variant));
         progress.advance();
     }
     for (uint32_t frame = 0; frame < options.frames; ++frame)
-        for (size_t i = 0; i < variants.size(); ++i) {
+        for (size_t turn = 0; turn < variants.size(); ++turn) {
             if (isInterrupted()) return result;
+            // There and back, so that none always follows the same other.
+            const size_t i = frame % 2 == 0 ? turn : variants.size() - 1 - turn;
             addTimes(variants[i].first, renderers[i]->renderFrame());
             progress.advance();
         }

@@ -16,8 +16,11 @@ struct PictureDifference {
     double relative = 0.0;  // mean absolute difference over the mean radiance
 };
 
+/// A second renderer of the same: what it differs by is noise.
+inline constexpr const char* kPlannedAgain = "as planned, again";
+
 struct PlanVariant {
-    std::string name;                     // "as planned", "--plan off", or the one decision that is undone
+    std::string name;                     // "as planned", kPlannedAgain, "--plan off", or the decision that is undone
     std::string reason;                   // of that decision
     std::vector<double> gpuMilliseconds;  // one entry a frame
     std::vector<std::pair<std::string, std::vector<double>>> passes;  // the same for every pass

@@ -10,11 +10,16 @@ namespace {
 double mebibytes(uint64_t bytes) { return static_cast<double>(bytes) / (1u << 20); }
 
 /// Median over frames of the ratio to the planned variant's frame, which ran in the same turn.
-Spread ratioOf(const PlanVariant& variant, const PlanVariant& planned) {
+struct Ratio {
+    Spread frames;
+    Interval ofMedian;
+};
+
+Ratio ratioOf(const PlanVariant& variant, const PlanVariant& planned) {
     std::vector<double> ratios;
     for (size_t i = 0; i < variant.gpuMilliseconds.size(); ++i)
         ratios.push_back(variant.gpuMilliseconds[i] / planned.gpuMilliseconds[i]);
-    return spreadOf(ratios);
+    return {spreadOf(ratios), intervalOfMedian(ratios)};
 }
 
 std::string pictureText(const PictureDifference& difference) {
@@ -37,12 +42,13 @@ std::string sceneText(const PlanScene& scene) {
     std::string text =
         fmt::format("\n{}: {} triangles, {}x{}, {}, {} VPLs\n", scene.file, scene.triangles, scene.settings.width,
                     scene.settings.height, name(scene.settings.technique), scene.settings.vplCount);
-    text += fmt::format("  {:<38}{:>9}{:>22}{:>9}{:>7}{:>11}{:>9}  {}\n", "kept though not needed", "ms/frame",
-                        "ratio (5 to 95 %)", "MiB", "ratio", "pipelines", "start s", "picture");
+    text += fmt::format("  {:<38}{:>9}{:>24}{:>18}{:>9}{:>7}{:>11}{:>9}  {}\n", "kept though not needed", "ms/frame",
+                        "ratio [95 % certain]", "(5 to 95 %)", "MiB", "ratio", "pipelines", "start s", "picture");
     for (const PlanVariant& variant : scene.variants) {
-        const Spread ratio = ratioOf(variant, planned);
-        text += fmt::format("  {:<38}{:>9.2f}{:>7.3f} ({:.3f} .. {:.3f}){:>9.2f}{:>7.3f}{:>11}{:>9.3f}  {}\n",
-                            variant.name, median(variant.gpuMilliseconds), ratio.median, ratio.p5, ratio.p95,
+        const Ratio ratio = ratioOf(variant, planned);
+        text += fmt::format("  {:<38}{:>9.2f}{:>8.3f} [{:.3f}, {:.3f}] ({:.3f} .. {:.3f}){:>9.2f}{:>7.3f}{:>11}{:>9.3f}  {}\n",
+                            variant.name, median(variant.gpuMilliseconds), ratio.frames.median, ratio.ofMedian.low,
+                            ratio.ofMedian.high, ratio.frames.p5, ratio.frames.p95,
                             mebibytes(variant.deviceBytes),
                             static_cast<double>(variant.deviceBytes) / static_cast<double>(planned.deviceBytes),
                             variant.pipelines, variant.startSeconds, pictureText(variant.difference));
@@ -59,11 +65,12 @@ Json toJson(const PlanVariant& variant, const PlanVariant& planned) {
     Json passes = Json::object();
     for (const auto& [pass, times] : variant.passes) passes[pass] = median(times);
     const Spread time = spreadOf(variant.gpuMilliseconds);
-    const Spread ratio = ratioOf(variant, planned);
+    const auto [ratio, ofMedian] = ratioOf(variant, planned);
     return {{"kept", variant.name},
             {"reason", variant.reason},
             {"milliseconds", {{"median", time.median}, {"p5", time.p5}, {"p95", time.p95}}},
             {"time_ratio", {{"median", ratio.median}, {"p5", ratio.p5}, {"p95", ratio.p95}}},
+            {"time_ratio_95_percent_certain", {ofMedian.low, ofMedian.high}},
             {"pass_milliseconds", passes},
             {"device_bytes", variant.deviceBytes},
             {"pipelines", variant.pipelines},
@@ -83,11 +90,11 @@ std::string planTable(const PlanRun& run) {
     text += fmt::format("  calibration  a C++ loop took {:.1f} to {:.1f} ms: the machine's own noise\n", low, high);
     for (const PlanScene& scene : run.scenes) text += sceneText(scene);
     text +=
-        "\nms: GPU time, medians of frames taken in turns; ratios to the plan's own, of frames of the same turn. MiB: "
-        "all\n"
-        "that a renderer allocates. start: renderer and first frame, with warm caches. picture: mean absolute "
-        "difference\n"
-        "over the mean.\n";
+        "\nms: GPU time, medians of frames taken in turns; ratios to the plan's own, of frames of the same turn: the "
+        "median,\n"
+        "where it lies with 95 % confidence if frames are independent, and how single frames spread. MiB: all that a "
+        "renderer\n"
+        "allocates. start: renderer and first frame, with warm caches. picture: mean absolute difference over the mean.\n";
     return text;
 }
 
@@ -97,7 +104,7 @@ std::string planCsv(const PlanRun& run) {
     for (const PlanScene& scene : run.scenes)
         for (const PlanVariant& variant : scene.variants)
             text += fmt::format("\"{}\",\"{}\",{:.4f},{:.4f},{},{},{:.4f},{},{:.3e}\n", scene.file, variant.name,
-                                median(variant.gpuMilliseconds), ratioOf(variant, scene.variants.front()).median,
+                                median(variant.gpuMilliseconds), ratioOf(variant, scene.variants.front()).frames.median,
                                 variant.deviceBytes, variant.pipelines, variant.startSeconds,
                                 variant.difference.sameBytes, variant.difference.relative);
     return text;
