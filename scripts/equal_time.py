@@ -35,9 +35,9 @@ except ImportError:
     denoise = None
 
 OURS = {"draft": ["--quality", "draft"],
-        "compensated": ["--quality", "draft", "--clamp", "compensate"],
+        "draft, bounded": ["--quality", "draft", "--clamp", "bound"],
         "path tracer": ["--technique", "path-tracer"]}
-OURS_DENOISED = ["--quality", "draft", "--clamp", "compensate", "--filter", "off", "--aov", "albedo,normal"]
+OURS_DENOISED = ["--quality", "draft", "--filter", "off", "--aov", "albedo,normal"]
 SAMPLES_OF_EMISSION = 64
 
 
@@ -174,7 +174,7 @@ def compare(arguments, argument, scratch):
 
     modes = {name: measure_ours(arguments, path, settings, measure, scratch) for name, settings in OURS.items()}
     if denoise:
-        modes["compensated, denoised"] = measure_ours(arguments, path, OURS_DENOISED, measure, scratch, True)
+        modes["unfiltered, denoised"] = measure_ours(arguments, path, OURS_DENOISED, measure, scratch, True)
     modes["Mitsuba path"] = measure_mitsuba(arguments, load(depth), measure, scratch, False)
     if denoise:
         guided = load(depth, aovs="albedo:albedo,normal:sh_normal")

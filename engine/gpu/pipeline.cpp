@@ -15,7 +15,8 @@ struct SpecialisationInfo {
 
     explicit SpecialisationInfo(const Specialisation& values) {
         for (uint32_t i = 0; i < values.size(); ++i)
-            entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
+            if (values[i] != kAsInShader)
+                entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
         info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t), values.data()};
     }
 };

@@ -19,8 +19,9 @@ struct BindingLayout {
     auto operator<=>(const BindingLayout&) const = default;
 };
 
-/// Value i specialises constant_id i. Floats go through std::bit_cast.
+/// Value i specialises constant_id i, unless it is kAsInShader. Floats go through std::bit_cast.
 using Specialisation = std::vector<uint32_t>;
+inline constexpr uint32_t kAsInShader = 0xfffffffeu;
 
 struct ComputeKey {
     std::string shader;  // "vpl_light.comp"

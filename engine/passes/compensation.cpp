@@ -7,7 +7,8 @@
 namespace manylight {
 
 ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                            const VplBuffers& vpls, ImageHandle radiance, uint32_t width, uint32_t height) {
+                            const VplBuffers& vpls, ImageHandle image, bool forReconstruction, uint32_t width,
+                            uint32_t height) {
     PassBuilder pass = graph.addPass("compensation");
     readSurfaces(pass, scene, PipelineKind::Compute);
     readRays(pass, scene, PipelineKind::Compute);
@@ -15,17 +16,22 @@ ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const SceneP
     readVpls(pass, vpls, PipelineKind::Compute);
     readEmitters(pass, scene, PipelineKind::Compute);
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
-    radiance = pass.write(radiance, Access::ComputeStorageReadWrite, shared::kBindingRadiance);
+    image = pass.write(image, Access::ComputeStorageReadWrite, shared::kBindingRadiance);
     gpu::Specialisation constants = surfaceOptions(plan);
     constants.push_back(VK_TRUE);  // shadows: light that is given back is traced
-    pass.execute([options = withEmitterOptions(constants, plan), width, height](PassContext& context) {
+    gpu::Specialisation options = withEmitterOptions(constants, plan);
+    if (forReconstruction) {
+        options.resize(40, gpu::kAsInShader);
+        options.push_back(VK_TRUE);
+    }
+    pass.execute([options, width, height](PassContext& context) {
         context.dispatch({.shader = "compensation.comp",
                           .groupWidth = shared::kVplTileWidth,
                           .groupHeight = shared::kVplTileHeight,
                           .specialisation = options},
                          width, height);
     });
-    return radiance;
+    return image;
 }
 
 }  // namespace manylight

@@ -7,8 +7,10 @@
 
 namespace manylight {
 
-/// Adds to `radiance` and returns its new version. `vpls`: the list that the gather reads.
+/// Adds to `image` and returns its new version: radiance or, `forReconstruction`, the light that addVplResample() gathered
+/// for a filter. `vpls`: the list that the gather reads.
 ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                            const VplBuffers& vpls, ImageHandle radiance, uint32_t width, uint32_t height);
+                            const VplBuffers& vpls, ImageHandle image, bool forReconstruction, uint32_t width,
+                            uint32_t height);
 
 }  // namespace manylight

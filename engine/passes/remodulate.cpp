@@ -17,7 +17,7 @@ ImageHandle addRemodulate(FrameGraph& graph, const SceneHandles& scene, const Sc
     radiance = pass.write(*radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
                           shared::kBindingRadiance);
     gpu::Specialisation options = surfaceOptions(plan);
-    options.resize(40);
+    options.resize(40, gpu::kAsInShader);
     options.push_back(adds);
     pass.execute([options, width, height](PassContext& context) {
         context.dispatch({.shader = "remodulate.comp",

@@ -41,7 +41,7 @@ TemporalImages addTemporal(FrameGraph& graph, const SceneHandles& scene, const S
     images.guide = pass.write(images.guide, isFirst ? Access::ComputeStorageWrite : Access::ComputeStorageReadWrite,
                               shared::kBindingHistoryGuide);
     gpu::Specialisation options = surfaceOptions(plan);
-    options.resize(40);
+    options.resize(40, gpu::kAsInShader);
     options.insert(options.end(), {isFirst, hasHistory});
     const shared::TemporalPush push{.frames = static_cast<float>(frameCount)};
     pass.execute([options, push, width, height](PassContext& context) {

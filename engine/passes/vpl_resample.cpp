@@ -69,7 +69,7 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
         gpu::Specialisation constants = surfaceOptions(plan);
         constants.insert(constants.end(), {options.castShadows, options.subgroupSize, adds, options.shadowRays});
         if (options.forReconstruction) {
-            constants.resize(40);
+            constants.resize(40, gpu::kAsInShader);
             constants.insert(constants.end(), {VK_TRUE, options.gatherStep, options.visibilityApart});
         }
         pass.execute([constants, push, n, rows = tileRows(options, push)](PassContext& context) {

@@ -49,34 +49,48 @@ ReconstructionSchedule scheduleOf(const FrameInputs& inputs) {
     return reconstructionSchedule(settings.interleave, settings.gatherStep, inputs.frame);
 }
 
-/// Every pixel from every VPL, or from some of them: the mean is the same.
+/// What the bound cuts off, added to `image`.
+ImageHandle giveBack(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
+                     const LightsOfFrame& lights, ImageHandle image, bool forReconstruction) {
+    const RenderSettings& settings = inputs.settings;
+    if (lights.vplCount == 0 || settings.clamp != ClampMode::Compensate) return image;
+    return addCompensation(graph, scene, inputs.plan, gbuffer, lights.vpls, image, forReconstruction, settings.width,
+                           settings.height);
+}
+
+/// Every pixel from every VPL, or from some of them: the mean is the same. With what the bound cut off, if asked for.
 ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
                       const LightsOfFrame& lights, const VplLightOptions& gather, std::optional<ImageHandle> radiance) {
     const RenderSettings& settings = inputs.settings;
     const bool resamples = settings.castShadows && settings.shadowRays > 0;
-    if (settings.interleave == 1 && !resamples)
-        return addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance, settings.width,
-                           settings.height);
+    if (settings.interleave == 1 && !resamples) {
+        const ImageHandle light = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance,
+                                              settings.width, settings.height);
+        return giveBack(graph, scene, inputs, gbuffer, lights, light, false);
+    }
     const bool filters = settings.filter != Filter::Off;
     const ReconstructionSchedule schedule = scheduleOf(inputs);
     const bool visibilityApart = settings.filter == Filter::Ratio && resamples && schedule.filters();
     const GatherGrid grid = gatherGrid(schedule.gatherStep, inputs.frame);
-    const ImageHandle gathered = addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
-                                                {.vplCount = lights.vplCount,
-                                                 .castShadows = settings.castShadows,
-                                                 .shadowRays = resamples ? settings.shadowRays : 0,
-                                                 .interleave = settings.interleave,
-                                                 .phase = settings.interleavePhase + grid.turn,
-                                                 .subgroupSize = inputs.subgroupSize,
-                                                 .forReconstruction = filters,
-                                                 .visibilityApart = visibilityApart,
-                                                 .gatherStep = schedule.gatherStep,
-                                                 .gridStart = grid.start},
-                                                filters ? std::nullopt : radiance, settings.width, settings.height);
+    ImageHandle gathered = addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
+                                          {.vplCount = lights.vplCount,
+                                           .castShadows = settings.castShadows,
+                                           .shadowRays = resamples ? settings.shadowRays : 0,
+                                           .interleave = settings.interleave,
+                                           .phase = settings.interleavePhase + grid.turn,
+                                           .subgroupSize = inputs.subgroupSize,
+                                           .forReconstruction = filters,
+                                           .visibilityApart = visibilityApart,
+                                           .gatherStep = schedule.gatherStep,
+                                           .gridStart = grid.start},
+                                          filters ? std::nullopt : radiance, settings.width, settings.height);
+    // A filter may smooth what is given back too, but for one that takes shares of the light of VPLs.
+    if (!visibilityApart) gathered = giveBack(graph, scene, inputs, gbuffer, lights, gathered, filters);
     if (!filters) return gathered;
-    return addReconstruction(graph, scene, inputs.plan, gbuffer, gathered, radiance, schedule, settings.interleave,
-                             visibilityApart ? std::optional(settings.shadowRays) : std::nullopt, settings.width,
-                             settings.height);
+    const ImageHandle light = addReconstruction(
+        graph, scene, inputs.plan, gbuffer, gathered, radiance, schedule, settings.interleave,
+        visibilityApart ? std::optional(settings.shadowRays) : std::nullopt, settings.width, settings.height);
+    return visibilityApart ? giveBack(graph, scene, inputs, gbuffer, lights, light, false) : light;
 }
 
 }  // namespace
@@ -116,8 +130,6 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
                            .subgroupSize = inputs.subgroupSize,
                            .pixelsPerInvocation = inputs.pixelsPerInvocation};
     if (lights.vplCount > 0 || !radiance) radiance = addGather(graph, scene, inputs, gbuffer, lights, gather, radiance);
-    if (lights.vplCount > 0 && settings.clamp == ClampMode::Compensate)
-        radiance = addCompensation(graph, scene, inputs.plan, gbuffer, lights.vpls, *radiance, width, height);
     TechniqueResult result{*radiance, gbuffer.depth, lights.list(), std::nullopt, gbuffer};
     if (inputs.keepsCutOff) {
         gather.cutOff = true;

@@ -46,7 +46,9 @@ void main() {
             const vec4 tap = guideOfTap(pixel + offset);
             const vec4 light = imageLoad(coarser, clamp(pixel + offset, ivec2(0), last));
             const float apart = abs(brightness(light.rgb) - level);
-            const float difference = 8.0 * allowed > apart ? apart / allowed : 8.0;
+            // Of either: if only the center's counted, bright outliers would be thinned by others and give them nothing.
+            const float allowedHere = max(allowed, push.deviations * light.a);
+            const float difference = 8.0 * allowedHere > apart ? apart / allowedHere : 8.0;
             const float alike = spline(x) * spline(y) * likeness(center, tap, offset, difference);
             const float w = offset == ivec2(0) ? 0.0 : alike;
             sum += w * light.rgb;

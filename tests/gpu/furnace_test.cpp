@@ -59,6 +59,22 @@ TEST_F(WhiteFurnace, NinetyNineHundredthsReflectedAndCompensated) {
 
 TEST_F(WhiteFurnace, AllButAThousandthReflected) { expectLongPaths(0.999f, ClampMode::Off, 0.02); }
 
+// Of a bound so low nearly all indirect light is given back; a filter finds nothing to smooth but noise.
+TEST_F(WhiteFurnace, HalfReflectedGivenBackAndFiltered) {
+    RenderSettings settings = furnaceSettings();
+    settings.vplCount = 64;
+    settings.lightSampleCount = 64;
+    settings.clamp = ClampMode::Compensate;
+    settings.clampBound = 0.01f;
+    settings.interleave = 4;
+    settings.shadowRays = 2;
+    for (const Filter filter : {Filter::Atrous, Filter::Ratio}) {
+        SCOPED_TRACE(name(filter));
+        settings.filter = filter;
+        expectMean(furnaceMeans(0.5f, settings, 2), 2.0, 0.02);
+    }
+}
+
 TEST_F(WhiteFurnace, DirectLightAlone) {
     RenderSettings settings = furnaceSettings();
     settings.lighting = Lighting::Local;
