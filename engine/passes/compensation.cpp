@@ -20,8 +20,7 @@ ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const SceneP
     constants.push_back(VK_TRUE);  // shadows: light that is given back is traced
     pass.execute([options = withEmitterOptions(constants, plan), width, height](PassContext& context) {
         context.dispatch({.shader = "compensation.comp",
-                          .groupWidth = shared::kVplTileWidth,
-                          .groupHeight = shared::kVplTileHeight,
+                          .group = gpu::tileOf(context.tuning().rayThreads),
                           .specialisation = options},
                          width, height);
     });

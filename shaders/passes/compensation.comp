@@ -7,12 +7,11 @@
 #include "shaders/lib/compensation.glsl"
 #include "shaders/lib/tile.glsl"
 
-layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 
 void main() {
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy * tileSize());
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex);
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const GBufferPixel seen = readGBuffer(pixel, true);

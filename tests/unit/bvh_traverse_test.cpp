@@ -25,7 +25,10 @@ struct TexelBuffer {
 };
 TexelBuffer bvhNodes;
 TexelBuffer bvhTriangles;
-bool kBvhStackInRegisters = true;  // a specialisation constant in shaders
+// Specialisation constants in shaders.
+bool kBvhStackInRegisters = true;
+int kMostNodesAny = 12;
+int kMostNodesClosest = 8;
 uvec4 imageLoad(const TexelBuffer& buffer, int index) {
     if (index < 0 || index >= buffer.size) throw std::out_of_range("imageLoad");
     return buffer.texels[index];
