@@ -1,10 +1,11 @@
 // What suits a device shows in no picture: every value of every tunable gives the same bytes.
-#include "engine/core/error.h"
+#include "engine/core/file.h"
 #include "engine/gpu/tuning_file.h"
 #include "tests/gpu/gpu_test.h"
 #include "tests/gpu/instanced_scenes.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace manylight::test {
 namespace {
@@ -27,6 +28,7 @@ void expectSameBytes(const Scene& scene, const RenderSettings& settings, const s
     Renderer renderer(device(), scene, settings);
     const auto picture = [&](const gpu::Tuning& tuning) {
         renderer.setTuning(tuning);
+        renderer.forgetHistory();
         renderer.restart(settings);
         for (uint32_t i = 0; i < frames; ++i) renderer.renderFrame();
         return renderer.radiance();
@@ -51,8 +53,39 @@ RenderSettings globalSettings(uint32_t width = 45, uint32_t height = 35) {
 
 TEST_F(TuningTest, WithoutRays) {
     RenderSettings settings = globalSettings();
+    settings.temporal = true;
     settings.castShadows = false;
     expectSameBytes(sphereInBox(), settings, {1, 2});
+}
+
+/// MANYLIGHT_TUNING for as long as it lives.
+class TuningVariable {
+  public:
+    explicit TuningVariable(const std::filesystem::path& file) { setenv("MANYLIGHT_TUNING", file.c_str(), 1); }
+    ~TuningVariable() { setenv("MANYLIGHT_TUNING", before_.c_str(), 1); }
+    TuningVariable(const TuningVariable&) = delete;
+    TuningVariable& operator=(const TuningVariable&) = delete;
+
+  private:
+    const std::string before_ = std::getenv("MANYLIGHT_TUNING");
+};
+
+TEST_F(TuningTest, ARendererTakesWhatTheFileHasForItsDevice) {
+    const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "manylight_tuning_of_device.json";
+    const Scene scene = sphereInBox();
+    EXPECT_EQ(Renderer(device(), scene, plainSettings()).tuning(), gpu::Tuning{});
+    gpu::writeTuning(file, gpu::tuningKey(device()), tuningOfValues(2));
+    {
+        const TuningVariable variable(file);
+        const Renderer renderer(device(), scene, plainSettings());
+        EXPECT_EQ(renderer.tuning(), tuningOfValues(2));
+        EXPECT_TRUE(renderer.warnings().empty());
+        writeTextFile(file, "{");
+        const Renderer other(device(), scene, plainSettings());
+        EXPECT_EQ(other.tuning(), gpu::Tuning{});
+        EXPECT_EQ(other.warnings().total(), 1u);
+    }
+    std::filesystem::remove(file);
 }
 
 TEST_F(TuningTest, ShadowRaysOfInstances) {
