@@ -39,8 +39,8 @@ class TuneBench : public ::testing::Test {
 };
 
 TEST_F(TuneBench, MeasuresEachValueAndKeepsTheTuning) {
-    ASSERT_EQ(run(cube_ + " --size 24x18 --turns 2 --tunables dispatch-parts,path-threads --json tune.json -o kept.json"),
-              0)
+    ASSERT_EQ(
+        run(cube_ + " --size 24x18 --turns 2 --tunables dispatch-parts,path-threads --json tune.json -o kept.json"), 0)
         << errors();
     const Json json = Json::parse(readTextFile(folder_ / "tune.json"));
     ASSERT_EQ(json["values"].size(), 2u);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace manylight {
 namespace {
@@ -166,7 +167,10 @@ TuneRun measureTuning(const TuneOptions& options) {
     run.key = gpu::tuningKey(device);
     run.calibration.push_back(calibrationMilliseconds());
     const std::vector<Scene> scenes = scenesOf(options);
-    for (const Scene& scene : scenes) run.scenes.push_back(scene.name);
+    for (const Scene& scene : scenes) {
+        printWarnings(scene.warnings);
+        run.scenes.push_back(scene.name);
+    }
     Workloads workloads = makeWorkloads(device, scenes, options);
     Tuner tuner(workloads, gpu::groupLimits(device), options.turns);
     for (const gpu::Tunable& tunable : gpu::tunables()) {
