@@ -69,8 +69,10 @@ class Traversal {
     shared::Hit closest(const RayQuery& ray) const { return shared::closestHit(ray.origin, ray.direction, ray.tMax); }
     bool occluded(const RayQuery& ray) const {
         shared::kBvhStackInRegisters = false;
+        shared::kMostNodesAny = 4;
         const bool byMemory = shared::occluded(ray.origin, ray.direction, ray.tMax);
         shared::kBvhStackInRegisters = true;
+        shared::kMostNodesAny = 12;
         const bool byRegisters = shared::occluded(ray.origin, ray.direction, ray.tMax);
         EXPECT_EQ(byMemory, byRegisters);
         return byRegisters;

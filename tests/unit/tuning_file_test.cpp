@@ -41,6 +41,13 @@ Tuning otherTuning() {
     return tuning;
 }
 
+/// The default but for some numbers.
+Tuning tuningWith(const std::vector<std::pair<uint32_t Tuning::*, uint32_t>>& numbers) {
+    Tuning tuning;
+    for (const auto& [number, value] : numbers) tuning.*number = value;
+    return tuning;
+}
+
 TEST_F(TuningFile, TheDefaultIsTheFirstValueOfEveryTunable) {
     Tuning fromTable = otherTuning();
     for (const Tunable& tunable : tunables()) tunable.of(fromTable) = tunable.values.at(0);
@@ -74,7 +81,7 @@ TEST_F(TuningFile, WhatIsNotThereIsTheDefault) {
     Json json = Json::parse(readTextFile(file_));
     json["devices"][0]["tuning"] = {{"ray-threads", 64}};
     write(json.dump());
-    EXPECT_EQ(read(), (Tuning{.rayThreads = 64}));
+    EXPECT_EQ(read(), tuningWith({{&Tuning::rayThreads, 64}}));
     EXPECT_TRUE(warnings_.empty()) << warnings_.toText();
 }
 
@@ -107,14 +114,14 @@ TEST_F(TuningFile, DamageIsAWarningAndReplaced) {
 TEST_F(TuningFile, ADeviceIsAskedForNoMoreThanItHas) {
     const GroupLimits small{128, 128, 64, 8};
     EXPECT_TRUE(fits({}, small));
-    EXPECT_FALSE(fits({.gatherThreads = 256}, small));
-    EXPECT_FALSE(fits({.rayThreads = 256}, small));
-    EXPECT_FALSE(fits({.pathThreads = 256}, small));
-    EXPECT_FALSE(fits({.imageWidth = 32}, small));
-    EXPECT_TRUE(fits({.imageWidth = 32, .imageHeight = 4}, small));
-    EXPECT_FALSE(fits({.rayThreads = 96}, small)) << "no value of the tunable";
-    EXPECT_FALSE(fits({.rayThreads = 32}, {1024, 1024, 1024, 64})) << "less than a subgroup";
-    EXPECT_FALSE(fits({.imageHeight = 16}, {1024, 1024, 8, 32}));
+    EXPECT_FALSE(fits(tuningWith({{&Tuning::gatherThreads, 256}}), small));
+    EXPECT_FALSE(fits(tuningWith({{&Tuning::rayThreads, 256}}), small));
+    EXPECT_FALSE(fits(tuningWith({{&Tuning::pathThreads, 256}}), small));
+    EXPECT_FALSE(fits(tuningWith({{&Tuning::imageWidth, 32}}), small));
+    EXPECT_TRUE(fits(tuningWith({{&Tuning::imageWidth, 32}, {&Tuning::imageHeight, 4}}), small));
+    EXPECT_FALSE(fits(tuningWith({{&Tuning::rayThreads, 96}}), small)) << "no value of the tunable";
+    EXPECT_FALSE(fits(tuningWith({{&Tuning::rayThreads, 32}}), {1024, 1024, 1024, 64})) << "less than a subgroup";
+    EXPECT_FALSE(fits(tuningWith({{&Tuning::imageHeight, 16}}), {1024, 1024, 8, 32}));
 }
 
 TEST_F(TuningFile, TheEnvironmentNamesIt) {
