@@ -4,6 +4,7 @@
 #include "apps/bench/plan/command.h"
 #include "apps/bench/rays.h"
 #include "apps/bench/stability/command.h"
+#include "apps/bench/tune/command.h"
 #include "apps/common/command_line.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
         "  manylight-bench error scenes/cornell_box.json --plot error.png\n"
         "  manylight-bench plan scenes/cornell_box.json courtyard.json\n"
         "  manylight-bench stability --quick\n"
+        "  manylight-bench tune\n"
         "  manylight-bench fps --help\n"
         "Exit codes: 0 done, 1 something failed (file, device), 2 wrong usage.");
     bool listDevices = false;
@@ -32,6 +34,7 @@ int main(int argc, char** argv) {
         addErrorCommand(app),
         addPlanCommand(app),
         addStabilityCommand(app),
+        addTuneCommand(app),
     };
 
     return runProgram(app, argc, argv, [&] {

@@ -1,5 +1,7 @@
 #include "apps/common/command_line.h"
 
+#include "engine/gpu/tuning_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,6 +91,7 @@ void printWarnings(const Warnings& warnings) {
 }
 
 Json describeMachine(const gpu::Device& device) {
+    Warnings counted;  // by who renders
     return {{"device", device.info().name},
             {"driver", device.info().driver},
             {"vulkan", fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(device.info().apiVersion),
@@ -96,6 +99,7 @@ Json describeMachine(const gpu::Device& device) {
                                    VK_API_VERSION_PATCH(device.info().apiVersion))},
             {"subgroup_size", device.subgroupSize()},
             {"host_threads", std::thread::hardware_concurrency()},
+            {"tuning", gpu::toJson(gpu::tuningOf(device, counted))},
             {"manylight", MANYLIGHT_VERSION}};
 }
 

@@ -42,7 +42,7 @@ int runProgram(CLI::App& app, int argc, char** argv, const std::function<void()>
 /// Prints the scene's warnings on standard error, one line a kind.
 void printWarnings(const Warnings& warnings);
 
-/// Where and with what a number was measured: device, driver, API version, program version, processors.
+/// Where and with what a number was measured: device, driver, API version, tuning, program version, processors.
 Json describeMachine(const gpu::Device& device);
 
 }  // namespace manylight

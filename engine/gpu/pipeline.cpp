@@ -8,16 +8,35 @@
 namespace manylight::gpu {
 namespace {
 
-/// VkSpecializationInfo for constants 0..n-1; the arrays live as long as this object.
+/// VkSpecializationInfo for constants 0..n-1 and those of the tuning; the arrays live as long as this object.
 struct SpecialisationInfo {
+    Specialisation values;
     std::vector<VkSpecializationMapEntry> entries;
     VkSpecializationInfo info{};
 
-    explicit SpecialisationInfo(const Specialisation& values) {
+    SpecialisationInfo(const Specialisation& ofPass, const TraversalTuning& traversal, uint32_t groupWidth = 1,
+                       uint32_t groupHeight = 1)
+        : values(ofPass) {
+        MANYLIGHT_CHECK(values.size() <= size_t{shared::kConstantGroupWidth}, "specialisation");
         for (uint32_t i = 0; i < values.size(); ++i)
-            if (values[i] != kAsInShader)
-                entries.push_back({i, i * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
+            if (values[i] != kAsInShader) addEntry(i, i);
+        const auto add = [&](int constant, uint32_t value) {
+            addEntry(static_cast<uint32_t>(constant), static_cast<uint32_t>(values.size()));
+            values.push_back(value);
+        };
+        add(shared::kConstantGroupWidth, groupWidth);
+        add(shared::kConstantGroupHeight, groupHeight);
+        add(shared::kConstantStackInRegisters, traversal.stackInRegisters);
+        add(shared::kConstantNodesAnyHit, traversal.nodesAnyHit);
+        add(shared::kConstantNodesClosestHit, traversal.nodesClosestHit);
         info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t), values.data()};
+    }
+    SpecialisationInfo(const SpecialisationInfo&) = delete;
+    SpecialisationInfo& operator=(const SpecialisationInfo&) = delete;
+
+  private:
+    void addEntry(uint32_t constant, uint32_t place) {
+        entries.push_back({constant, place * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
     }
 };
 
@@ -83,7 +102,7 @@ bool PipelineLibrary::has(const GraphicsKey& key) {
 }
 
 Pipeline PipelineLibrary::makeCompute(const ComputeKey& key) {
-    const SpecialisationInfo specialisation(key.specialisation);
+    const SpecialisationInfo specialisation(key.specialisation, key.traversal, key.groupWidth, key.groupHeight);
     VkPipelineShaderStageRequiredSubgroupSizeCreateInfo subgroup{};
     subgroup.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO;
     subgroup.requiredSubgroupSize = device_.subgroupSize();
@@ -104,7 +123,7 @@ Pipeline PipelineLibrary::makeCompute(const ComputeKey& key) {
 }
 
 Pipeline PipelineLibrary::makeGraphics(const GraphicsKey& key) {
-    const SpecialisationInfo specialisation(key.specialisation);
+    const SpecialisationInfo specialisation(key.specialisation, key.traversal);
     std::vector<VkPipelineShaderStageCreateInfo> stages = {
         stageInfo(VK_SHADER_STAGE_VERTEX_BIT, moduleFor(key.vertexShader), specialisation)};
     if (!key.fragmentShader.empty())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/gpu/device.h"
+#include "engine/gpu/tuning.h"
 
 #include <compare>
 #include <map>
@@ -19,7 +20,7 @@ struct BindingLayout {
     auto operator<=>(const BindingLayout&) const = default;
 };
 
-/// Value i specialises constant_id i, unless it is kAsInShader. Floats go through std::bit_cast.
+/// Value i specialises constant_id i, unless it is kAsInShader; i is below those of shaders/shared/workgroups.h. Floats go through std::bit_cast.
 using Specialisation = std::vector<uint32_t>;
 inline constexpr uint32_t kAsInShader = 0xfffffffeu;
 
@@ -28,6 +29,9 @@ struct ComputeKey {
     Specialisation specialisation;
     std::vector<BindingLayout> bindings;  // sorted by binding
     bool fullSubgroups = false;           // ask for full subgroups of Device::subgroupSize()
+    uint32_t groupWidth = 1;              // threads along x, where the shader leaves it open: see workgroups.h
+    uint32_t groupHeight = 1;             // along y
+    TraversalTuning traversal;
     auto operator<=>(const ComputeKey&) const = default;
 };
 
@@ -44,6 +48,7 @@ struct GraphicsKey {
     bool overBlend = false;  // by the fragment's alpha, over what is there; goes before additiveBlend
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool triangleRecords = false;  // location 0 is the position of a triangle record's corner, 16 bytes apart
+    TraversalTuning traversal;
     auto operator<=>(const GraphicsKey&) const = default;
 };
 

@@ -187,7 +187,7 @@ void GraphExecutor::compilePipelines(const FrameGraph& graph, const CompiledGrap
     PipelineKeys keys;
     for (const LivePass& live : compiled.passes) {
         const Pass& pass = graph.passes()[live.pass];
-        PassContext context(graph, pass, pipelines_, physical, VK_NULL_HANDLE, &keys);
+        PassContext context(graph, pass, pipelines_, tuning_, physical, VK_NULL_HANDLE, &keys);
         if (pass.execute) pass.execute(context);
     }
     std::vector<std::function<void()>> tasks;
@@ -210,7 +210,7 @@ void GraphExecutor::recordPass(const FrameGraph& graph, const LivePass& live, co
     }
     barriers.record(commands_);
 
-    PassContext context(graph, pass, pipelines_, physical, commands_, nullptr);
+    PassContext context(graph, pass, pipelines_, tuning_, physical, commands_, nullptr);
     if (hasAttachments(pass)) {
         context.beginRendering();
         pass.execute(context);

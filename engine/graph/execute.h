@@ -55,6 +55,10 @@ class GraphExecutor {
     void dumpAfter(std::string pass) { dumpAfter_ = std::move(pass); }
     static constexpr const char* kAllPasses = "*";
 
+    /// Of the frames submitted from now on; the default until then. The device must be able to run it: see gpu::fits().
+    void setTuning(const gpu::Tuning& tuning) { tuning_ = tuning; }
+    const gpu::Tuning& tuning() const { return tuning_; }
+
     uint64_t transientBytes() const;
 
   private:
@@ -84,6 +88,7 @@ class GraphExecutor {
 
     gpu::Device& device_;
     gpu::PipelineLibrary& pipelines_;
+    gpu::Tuning tuning_;
     GpuTimers timers_;
     Breadcrumbs breadcrumbs_;
     VkCommandPool commandPool_ = VK_NULL_HANDLE;

@@ -38,7 +38,14 @@ std::string PassContext::variantOf(const char* shader) const {
 }
 
 gpu::ComputeKey PassContext::keyOf(const ComputeKernel& kernel) const {
-    return {variantOf(kernel.shader), kernel.specialisation, bindings(), kernel.fullSubgroups};
+    const gpu::Workgroup& group = kernel.group;
+    return {variantOf(kernel.shader),
+            kernel.specialisation,
+            bindings(),
+            kernel.fullSubgroups,
+            group.isTile ? group.width * group.height : group.width,
+            group.isTile ? 1 : group.height,
+            tuning_.traversal};
 }
 
 gpu::GraphicsKey PassContext::keyOf(const DrawKernel& kernel) const {
@@ -47,6 +54,7 @@ gpu::GraphicsKey PassContext::keyOf(const DrawKernel& kernel) const {
     if (*kernel.fragmentShader != '\0') key.fragmentShader = variantOf(kernel.fragmentShader);
     key.specialisation = kernel.specialisation;
     key.bindings = bindings();
+    key.traversal = tuning_.traversal;
     key.depthCompare = kernel.depthCompare;
     for (const PassUse& use : pass_.uses) {
         const VkFormat format = graph_.resources()[use.resource].image.format;
@@ -108,7 +116,7 @@ void PassContext::dispatchBytes(const ComputeKernel& kernel, uint32_t width, uin
     }
     if (width == 0 || height == 0) return;
     bind(VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_.compute(key), push, bytes);
-    vkCmdDispatch(commands_, groupsFor(width, kernel.groupWidth), groupsFor(height, kernel.groupHeight), 1);
+    vkCmdDispatch(commands_, groupsFor(width, kernel.group.width), groupsFor(height, kernel.group.height), 1);
 }
 
 void PassContext::drawBytes(const DrawKernel& kernel, std::span<const DrawRange> ranges, const void* push,

@@ -14,8 +14,7 @@ namespace manylight {
 /// A compute entry point with its choices made.
 struct ComputeKernel {
     const char* shader = nullptr;  // "vpl_light.comp"
-    uint32_t groupWidth = 1;       // threads; as the shader's header says
-    uint32_t groupHeight = 1;
+    gpu::Workgroup group = {};
     gpu::Specialisation specialisation = {};
     bool fullSubgroups = false;  // the shader shuffles
 };
@@ -45,6 +44,8 @@ struct PipelineKeys {
 
 class PassContext {
   public:
+    /// What suits the device: sizes of workgroups, for the most part.
+    const gpu::Tuning& tuning() const { return tuning_; }
     /// Runs `width` * `height` threads, rounded up to whole groups.
     template <typename Push>
     void dispatch(const ComputeKernel& kernel, uint32_t width, uint32_t height, const Push& push) {
@@ -80,11 +81,12 @@ class PassContext {
     friend class GraphExecutor;
     struct Attachments;
 
-    PassContext(const FrameGraph& graph, const Pass& pass, gpu::PipelineLibrary& pipelines,
+    PassContext(const FrameGraph& graph, const Pass& pass, gpu::PipelineLibrary& pipelines, const gpu::Tuning& tuning,
                 const std::vector<void*>& physical, VkCommandBuffer commands, PipelineKeys* collected)
         : graph_(graph),
           pass_(pass),
           pipelines_(pipelines),
+          tuning_(tuning),
           physical_(physical),
           commands_(commands),
           collected_(collected) {}
@@ -104,6 +106,7 @@ class PassContext {
     const FrameGraph& graph_;
     const Pass& pass_;
     gpu::PipelineLibrary& pipelines_;
+    const gpu::Tuning& tuning_;
     const std::vector<void*>& physical_;  // PhysicalImage or PhysicalBuffer per resource
     VkCommandBuffer commands_;
     PipelineKeys* collected_;  // non-null: only note which pipelines are needed, record nothing

@@ -1,17 +1,13 @@
 #include "engine/passes/accumulate.h"
 
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 namespace {
 
 void dispatchImage(PassBuilder& pass, const char* shader, bool starts, uint32_t width, uint32_t height) {
     pass.execute([shader, starts, width, height](PassContext& context) {
-        context.dispatch({.shader = shader,
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = {starts}},
+        context.dispatch({.shader = shader, .group = gpu::imageGroup(context.tuning()), .specialisation = {starts}},
                          width, height);
     });
 }

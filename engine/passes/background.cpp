@@ -2,7 +2,6 @@
 
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -13,11 +12,9 @@ ImageHandle addBackground(FrameGraph& graph, const SceneHandles& scene, const Sc
     readEmitters(pass, scene, PipelineKind::Compute);
     radiance = pass.write(radiance, Access::ComputeStorageReadWrite, shared::kBindingRadiance);
     pass.execute([options = withEmitterOptions(surfaceOptions(plan), plan), width, height](PassContext& context) {
-        context.dispatch({.shader = "background.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
-                         width, height);
+        context.dispatch(
+            {.shader = "background.comp", .group = gpu::imageGroup(context.tuning()), .specialisation = options}, width,
+            height);
     });
     return radiance;
 }

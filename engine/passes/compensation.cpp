@@ -26,8 +26,7 @@ ImageHandle addCompensation(FrameGraph& graph, SceneHandles& scene, const SceneP
     }
     pass.execute([options, width, height](PassContext& context) {
         context.dispatch({.shader = "compensation.comp",
-                          .groupWidth = shared::kVplTileWidth,
-                          .groupHeight = shared::kVplTileHeight,
+                          .group = gpu::tileOf(context.tuning().rayThreads),
                           .specialisation = options},
                          width, height);
     });

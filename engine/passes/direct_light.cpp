@@ -26,12 +26,10 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         options.insert(options.end(), {castShadows, 0u, adds});
         options = withEmitterOptions(options, plan);
         pass.execute([options, push, width, height](PassContext& context) {
-            const ComputeKernel kernel{.shader = "direct_light.comp",
-                                       .groupWidth = shared::kVplTileWidth,
-                                       .groupHeight = shared::kVplTileHeight,
-                                       .specialisation = options};
-            const uint32_t rows =
-                rowsPerDispatch(width, push.lightCount, shared::kMaxRaysInDispatch, shared::kVplTileHeight);
+            const gpu::Workgroup tile = gpu::tileOf(context.tuning().rayThreads);
+            const ComputeKernel kernel{.shader = "direct_light.comp", .group = tile, .specialisation = options};
+            const uint32_t rows = rowsPerDispatch(
+                width, push.lightCount, shared::kMaxRaysInDispatch / context.tuning().dispatchParts, tile.height);
             shared::ShadePush band = push;
             for (band.firstRow = 0; band.firstRow < height; band.firstRow += rows)
                 context.dispatch(kernel, width, std::min(rows, height - band.firstRow), band);

@@ -4,7 +4,6 @@
 #include "engine/passes/visibility.h"
 #include "engine/passes/visibility_rays.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -32,11 +31,9 @@ GBuffer addGBuffer(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan
     gbuffer.shading = lookUp.write(gbuffer.shading, Access::ComputeStorageWrite, shared::kBindingGBufferShading);
     gbuffer.gloss = lookUp.write(gbuffer.gloss, Access::ComputeStorageWrite, shared::kBindingGBufferGloss);
     lookUp.execute([options = surfaceOptions(plan), width, height](PassContext& context) {
-        context.dispatch({.shader = "gbuffer.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
-                         width, height);
+        context.dispatch(
+            {.shader = "gbuffer.comp", .group = gpu::imageGroup(context.tuning()), .specialisation = options}, width,
+            height);
     });
     return gbuffer;
 }

@@ -25,8 +25,9 @@ ImageHandle addPathTrace(FrameGraph& graph, SceneHandles& scene, const ScenePlan
     const uint32_t stretches = options.maxScatterings / shared::kSurfacesPerDispatch + 1;
     // Two rays a surface; most paths are short, and a picture takes a few bands at most.
     constexpr uint32_t kRaysOfPath = 32;
+    constexpr uint32_t kRowStep = 8;  // of bands: whole rows of tiles, for the most part
     const uint32_t most = stretches == 1 ? shared::kMaxRaysInDispatch : kRaysOfPath * shared::kPathStatesPerBand;
-    const uint32_t rows = rowsPerDispatch(width, kRaysOfPath, most, shared::kVplTileHeight);
+    const uint32_t rows = rowsPerDispatch(width, kRaysOfPath, most, kRowStep);
     // Paths that fit one dispatch need no states.
     const size_t stateCount = stretches == 1 ? 1 : size_t{width} * std::min(rows, height);
     BufferHandle states = graph.createBuffer("path states", {stateCount * sizeof(shared::PathState)});
@@ -57,8 +58,7 @@ ImageHandle addPathTrace(FrameGraph& graph, SceneHandles& scene, const ScenePlan
             constants = withEmitterOptions(constants, plan);
             pass.execute([constants, push, width](PassContext& context) {
                 context.dispatch({.shader = "path_trace.comp",
-                                  .groupWidth = shared::kVplTileWidth,
-                                  .groupHeight = shared::kVplTileHeight,
+                                  .group = gpu::tileOf(context.tuning().rayThreads),
                                   .specialisation = constants},
                                  width, push.endRow - push.firstRow, push);
             });

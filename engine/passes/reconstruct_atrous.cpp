@@ -2,7 +2,6 @@
 
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/reconstruct.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -16,10 +15,8 @@ ImageHandle addReconstructAtrous(FrameGraph& graph, const SceneHandles& scene, I
     smoother = pass.write(smoother, Access::ComputeStorageWrite, shared::kBindingReconstruction);
     const shared::AtrousPush push{.spacing = static_cast<int>(spacing), .deviations = deviations};
     pass.execute([push, width, height](PassContext& context) {
-        context.dispatch({.shader = "reconstruct_atrous.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight},
-                         width, height, push);
+        context.dispatch({.shader = "reconstruct_atrous.comp", .group = gpu::imageGroup(context.tuning())}, width,
+                         height, push);
     });
     return smoother;
 }

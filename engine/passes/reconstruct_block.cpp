@@ -2,7 +2,6 @@
 
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/reconstruct.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -16,10 +15,8 @@ ImageHandle addReconstructBlock(FrameGraph& graph, const SceneHandles& scene, Im
     mean = pass.write(mean, Access::ComputeStorageWrite, shared::kBindingReconstruction);
     const shared::BlockPush push{.width = width, .period = static_cast<float>(period)};
     pass.execute([push, imageWidth, imageHeight](PassContext& context) {
-        context.dispatch({.shader = "reconstruct_block.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight},
-                         imageWidth, imageHeight, push);
+        context.dispatch({.shader = "reconstruct_block.comp", .group = gpu::imageGroup(context.tuning())}, imageWidth,
+                         imageHeight, push);
     });
     return mean;
 }

@@ -2,7 +2,6 @@
 
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -14,11 +13,9 @@ ImageHandle addReconstructGuide(FrameGraph& graph, const SceneHandles& scene, co
     readGBuffer(pass, gbuffer);
     guide = pass.write(guide, Access::ComputeStorageWrite, shared::kBindingGuide);
     pass.execute([options = surfaceOptions(plan), width, height](PassContext& context) {
-        context.dispatch({.shader = "reconstruct_guide.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
-                         width, height);
+        context.dispatch(
+            {.shader = "reconstruct_guide.comp", .group = gpu::imageGroup(context.tuning()), .specialisation = options},
+            width, height);
     });
     return guide;
 }

@@ -2,7 +2,6 @@
 
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/reconstruct.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -21,9 +20,7 @@ UnshadowedAndVisibility addReconstructVisibility(FrameGraph& graph, const SceneH
     const shared::VisibilityPush push{
         .width = width, .period = static_cast<float>(period), .rays = static_cast<float>(rays)};
     pass.execute([push, imageWidth, imageHeight](PassContext& context) {
-        context.dispatch({.shader = "reconstruct_visibility.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight},
+        context.dispatch({.shader = "reconstruct_visibility.comp", .group = gpu::imageGroup(context.tuning())},
                          imageWidth, imageHeight, push);
     });
     return factors;
@@ -38,10 +35,8 @@ ImageHandle addReconstructProduct(FrameGraph& graph, const SceneHandles& scene, 
     pass.read(factors.visibility, Access::ComputeStorageRead, shared::kBindingReconstructed);
     light = pass.write(light, Access::ComputeStorageWrite, shared::kBindingReconstruction);
     pass.execute([width, height](PassContext& context) {
-        context.dispatch({.shader = "reconstruct_product.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight},
-                         width, height);
+        context.dispatch({.shader = "reconstruct_product.comp", .group = gpu::imageGroup(context.tuning())}, width,
+                         height);
     });
     return light;
 }

@@ -2,7 +2,6 @@
 
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -20,11 +19,9 @@ ImageHandle addRemodulate(FrameGraph& graph, const SceneHandles& scene, const Sc
     options.resize(40, gpu::kAsInShader);
     options.push_back(adds);
     pass.execute([options, width, height](PassContext& context) {
-        context.dispatch({.shader = "remodulate.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
-                         width, height);
+        context.dispatch(
+            {.shader = "remodulate.comp", .group = gpu::imageGroup(context.tuning()), .specialisation = options}, width,
+            height);
     });
     return *radiance;
 }

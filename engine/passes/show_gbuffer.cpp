@@ -2,7 +2,6 @@
 
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -15,11 +14,9 @@ ImageHandle addShowGBuffer(FrameGraph& graph, const SceneHandles& scene, const S
     radiance = pass.write(radiance, Access::ComputeStorageWrite, shared::kBindingRadiance);
     const shared::ShowPush push{channel, depthScale};
     pass.execute([options = surfaceOptions(plan), push, width, height](PassContext& context) {
-        context.dispatch({.shader = "show_gbuffer.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
-                         width, height, push);
+        context.dispatch(
+            {.shader = "show_gbuffer.comp", .group = gpu::imageGroup(context.tuning()), .specialisation = options},
+            width, height, push);
     });
     return radiance;
 }

@@ -32,13 +32,11 @@ ImageHandle addShowRays(FrameGraph& graph, const SceneHandles& scene, const Scen
                                         .gatherStep = options.gatherStep,
                                         .gridStart = options.gridStart};
         pass.execute([constants, push, width, height](PassContext& context) {
-            const ComputeKernel kernel{.shader = "show_rays.comp",
-                                       .groupWidth = shared::kVplTileWidth,
-                                       .groupHeight = shared::kVplTileHeight,
-                                       .specialisation = constants,
-                                       .fullSubgroups = true};
-            const uint32_t rows = rowsPerDispatch(width, push.endVpl - push.firstVpl, shared::kMaxPairsInDispatch,
-                                                  shared::kVplTileHeight);
+            const gpu::Workgroup tile = gpu::tileOf(context.tuning().gatherThreads);
+            const ComputeKernel kernel{
+                .shader = "show_rays.comp", .group = tile, .specialisation = constants, .fullSubgroups = true};
+            const uint32_t rows =
+                rowsPerDispatch(width, push.endVpl - push.firstVpl, shared::kMaxPairsInDispatch, tile.height);
             shared::ShowRaysPush band = push;
             for (band.firstRow = 0; band.firstRow < height; band.firstRow += rows)
                 context.dispatch(kernel, width, std::min(rows, height - band.firstRow), band);

@@ -2,7 +2,6 @@
 
 #include "engine/passes/surface_options.h"
 #include "shaders/shared/bindings.h"
-#include "shaders/shared/tonemap.h"
 
 namespace manylight {
 
@@ -17,11 +16,9 @@ ImageHandle addReprojection(FrameGraph& graph, const SceneHandles& scene, const 
         .read(before.guide, Access::ComputeStorageRead, shared::kBindingHistoryGuide);
     history = pass.write(history, Access::ComputeStorageWrite, shared::kBindingHistory);
     pass.execute([options = surfaceOptions(plan), push, width, height](PassContext& context) {
-        context.dispatch({.shader = "reproject.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
-                         width, height, push);
+        context.dispatch(
+            {.shader = "reproject.comp", .group = gpu::imageGroup(context.tuning()), .specialisation = options}, width,
+            height, push);
     });
     return history;
 }
@@ -45,11 +42,9 @@ TemporalImages addTemporal(FrameGraph& graph, const SceneHandles& scene, const S
     options.insert(options.end(), {isFirst, hasHistory});
     const shared::TemporalPush push{.frames = static_cast<float>(frameCount)};
     pass.execute([options, push, width, height](PassContext& context) {
-        context.dispatch({.shader = "temporal.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight,
-                          .specialisation = options},
-                         width, height, push);
+        context.dispatch(
+            {.shader = "temporal.comp", .group = gpu::imageGroup(context.tuning()), .specialisation = options}, width,
+            height, push);
     });
     return images;
 }

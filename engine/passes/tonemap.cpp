@@ -11,10 +11,7 @@ ImageHandle addTonemap(FrameGraph& graph, const SceneHandles& scene, ImageHandle
     pass.read(sum, Access::ComputeStorageRead, shared::kBindingRadianceSum);
     display = pass.write(display, Access::ComputeStorageWrite, shared::kBindingDisplay);
     pass.execute([push = shared::TonemapPush{scale, curve}, width, height](PassContext& context) {
-        context.dispatch({.shader = "tonemap.comp",
-                          .groupWidth = shared::kImageGroupWidth,
-                          .groupHeight = shared::kImageGroupHeight},
-                         width, height, push);
+        context.dispatch({.shader = "tonemap.comp", .group = gpu::imageGroup(context.tuning())}, width, height, push);
     });
     return display;
 }

@@ -28,7 +28,7 @@ void addTraceRays(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan,
     const gpu::Specialisation constants{kind == RayKind::AnyHit ? 1u : 0u, 0, 0, 0, 0, 0, 0, 0, 0, plan.instanced};
     pass.execute([rayCount, constants](PassContext& context) {
         const ComputeKernel kernel{
-            .shader = "trace_rays.comp", .groupWidth = shared::kTraceRaysGroupSize, .specialisation = constants};
+            .shader = "trace_rays.comp", .group = gpu::rowOf(shared::kTraceRaysGroupSize), .specialisation = constants};
         for (uint32_t first = 0; first < rayCount; first += shared::kMaxRaysPerDispatch) {
             const uint32_t count = std::min(rayCount - first, shared::kMaxRaysPerDispatch);
             context.dispatch(kernel, count, 1, shared::TraceRaysPush{first, first + count});

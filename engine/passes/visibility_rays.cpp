@@ -18,15 +18,13 @@ ImageHandle addVisibilityByRays(FrameGraph& graph, SceneHandles& scene, const Sc
     scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
     const ImageHandle triangle = pass.write(graph.createImage("visibility", {VK_FORMAT_R32_UINT, width, height}),
                                             Access::ComputeStorageWrite, shared::kBindingVisibility);
-    const uint32_t rows = rowsPerDispatch(width, 1, shared::kMaxRaysInDispatch, shared::kVplTileHeight);
-    pass.execute([options = surfaceOptions(plan), width, height, rows](PassContext& context) {
+    pass.execute([options = surfaceOptions(plan), width, height](PassContext& context) {
+        const gpu::Workgroup tile = gpu::tileOf(context.tuning().rayThreads);
+        const uint32_t rows = rowsPerDispatch(width, 1, shared::kMaxRaysInDispatch, tile.height);
         for (uint32_t first = 0; first < height; first += rows) {
             const uint32_t end = std::min(first + rows, height);
-            context.dispatch({.shader = "visibility_rays.comp",
-                              .groupWidth = shared::kVplTileWidth,
-                              .groupHeight = shared::kVplTileHeight,
-                              .specialisation = options},
-                             width, end - first, shared::VisibilityRaysPush{first, end});
+            context.dispatch({.shader = "visibility_rays.comp", .group = tile, .specialisation = options}, width,
+                             end - first, shared::VisibilityRaysPush{first, end});
         }
     });
     return triangle;

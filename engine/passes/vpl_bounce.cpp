@@ -19,7 +19,7 @@ void addVplBounces(FrameGraph& graph, SceneHandles& scene, const gpu::Specialisa
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         pass.execute([surfaceOptions, push](PassContext& context) {
             context.dispatch({.shader = "vpl_bounce.comp",
-                              .groupWidth = shared::kEmissionGroupSize,
+                              .group = gpu::rowOf(context.tuning().pathThreads),
                               .specialisation = surfaceOptions},
                              push.pathCount, 1, push);
         });

@@ -9,8 +9,8 @@ VplBuffers addVplCompact(FrameGraph& graph, SceneHandles& scene, const gpu::Spec
     PassBuilder scan = graph.addPass("vpl_scan");
     paths.offsets = scan.write(paths.offsets, Access::ComputeStorageReadWrite, shared::kBindingPathOffsets);
     scan.execute([push](PassContext& context) {
-        context.dispatch({.shader = "vpl_scan.comp", .groupWidth = shared::kScanGroupSize}, shared::kScanGroupSize, 1,
-                         push);
+        context.dispatch({.shader = "vpl_scan.comp", .group = gpu::rowOf(shared::kScanGroupSize)},
+                         shared::kScanGroupSize, 1, push);
     });
 
     PassBuilder compact = graph.addPass("vpl_compact");
@@ -23,9 +23,10 @@ VplBuffers addVplCompact(FrameGraph& graph, SceneHandles& scene, const gpu::Spec
     vpls.list = compact.write(vpls.list, list, shared::kBindingVpls);
     vpls.gloss = compact.write(vpls.gloss, list, shared::kBindingVplGloss);
     compact.execute([surfaceOptions, push](PassContext& context) {
-        context.dispatch(
-            {.shader = "vpl_compact.comp", .groupWidth = shared::kEmissionGroupSize, .specialisation = surfaceOptions},
-            push.paddedVplCount, 1, push);
+        context.dispatch({.shader = "vpl_compact.comp",
+                          .group = gpu::rowOf(context.tuning().pathThreads),
+                          .specialisation = surfaceOptions},
+                         push.paddedVplCount, 1, push);
     });
     return vpls;
 }

@@ -27,9 +27,10 @@ void emitPaths(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& pl
     paths.rays = pass.write(paths.rays, Access::ComputeStorageWrite, shared::kBindingRays);
     paths.offsets = pass.write(paths.offsets, Access::ComputeStorageWrite, shared::kBindingPathOffsets);
     pass.execute([options = withEmitterOptions(surfaceOptions(plan), plan), push](PassContext& context) {
-        context.dispatch(
-            {.shader = "vpl_emission.comp", .groupWidth = shared::kEmissionGroupSize, .specialisation = options},
-            push.pathCount, 1, push);
+        context.dispatch({.shader = "vpl_emission.comp",
+                          .group = gpu::rowOf(context.tuning().pathThreads),
+                          .specialisation = options},
+                         push.pathCount, 1, push);
     });
 }
 

@@ -30,13 +30,15 @@ ImageHandle addVplLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan&
         gpu::Specialisation constants = surfaceOptions(plan);
         constants.insert(constants.end(), {shadows, options.subgroupSize, adds, pixelsPerThread, options.cutOff});
         pass.execute([constants, push, shadows, width, height, pixelsPerThread](PassContext& context) {
+            const gpu::Tuning& tuning = context.tuning();
+            const gpu::Workgroup tile = gpu::tileOf(shadows ? tuning.rayThreads : tuning.gatherThreads);
             const ComputeKernel kernel{.shader = shadows ? "vpl_light_shadowed.comp" : "vpl_light.comp",
-                                       .groupWidth = shared::kVplTileWidth,
-                                       .groupHeight = shared::kVplTileHeight,
+                                       .group = tile,
                                        .specialisation = constants,
                                        .fullSubgroups = true};
             const uint32_t most = shadows ? shared::kMaxRaysInDispatch : shared::kMaxPairsInDispatch;
-            const uint32_t rows = rowsPerDispatch(width, push.vplCount, most, shared::kVplTileHeight * pixelsPerThread);
+            const uint32_t rows =
+                rowsPerDispatch(width, push.vplCount, most / tuning.dispatchParts, tile.height * pixelsPerThread);
             shared::ShadePush band = push;
             for (band.firstRow = 0; band.firstRow < height; band.firstRow += rows) {
                 const uint32_t count = std::min(rows, height - band.firstRow);

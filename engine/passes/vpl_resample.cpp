@@ -26,14 +26,14 @@ uint32_t vplsPerDispatch(const VplResampleOptions& options) {
 }
 
 /// Rows of tiles that keep a dispatch below the work that a watchdog allows.
-uint32_t tileRows(const VplResampleOptions& options, const shared::ResamplePush& push) {
+uint32_t tileRows(const VplResampleOptions& options, const shared::ResamplePush& push, const gpu::Workgroup& tile,
+                  uint32_t parts) {
     const uint32_t perPixel = divideUp(push.endVpl - push.firstVpl, subsetCount(options));
     const bool rayForEach = options.castShadows && options.shadowRays == 0;
     const uint64_t rays = !options.castShadows ? 0 : rayForEach ? perPixel : options.shadowRays;
-    const uint64_t pixels =
-        uint64_t{push.tilesAcross} * options.interleave * shared::kVplTileWidth * shared::kVplTileHeight;
-    const uint64_t byRays = shared::kMaxRaysInDispatch / std::max<uint64_t>(rays * pixels, 1);
-    const uint64_t byPairs = shared::kMaxPairsInDispatch / std::max<uint64_t>(2 * perPixel * pixels, 1);
+    const uint64_t pixels = uint64_t{push.tilesAcross} * options.interleave * tile.width * tile.height;
+    const uint64_t byRays = shared::kMaxRaysInDispatch / parts / std::max<uint64_t>(rays * pixels, 1);
+    const uint64_t byPairs = shared::kMaxPairsInDispatch / parts / std::max<uint64_t>(2 * perPixel * pixels, 1);
     return static_cast<uint32_t>(std::clamp<uint64_t>(std::min(byRays, byPairs), 1, 1u << 16));
 }
 
@@ -46,14 +46,14 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
     const uint32_t limit = vplsPerDispatch(options);
     uint32_t firstVpl = 0;
     do {
-        const shared::ResamplePush push{.interleave = n,
-                                        .phase = options.phase,
-                                        .firstVpl = firstVpl,
-                                        .endVpl = std::min(firstVpl + limit, options.vplCount),
-                                        .firstTileRow = 0,
-                                        .tilesAcross = divideUp(divideUp(width, n), shared::kVplTileWidth),
-                                        .tilesDown = divideUp(divideUp(height, n), shared::kVplTileHeight),
-                                        .gridStart = options.gridStart};
+        const shared::ResamplePush stretch{.interleave = n,
+                                           .phase = options.phase,
+                                           .firstVpl = firstVpl,
+                                           .endVpl = std::min(firstVpl + limit, options.vplCount),
+                                           .firstTileRow = 0,
+                                           .tilesAcross = 0,  // as the tiles are
+                                           .tilesDown = 0,
+                                           .gridStart = options.gridStart};
         const bool adds = radiance.has_value();
         if (!adds)
             radiance = graph.createImage(options.forReconstruction ? "gathered light" : "radiance",
@@ -72,20 +72,20 @@ ImageHandle addVplResample(FrameGraph& graph, SceneHandles& scene, const ScenePl
             constants.resize(40, gpu::kAsInShader);
             constants.insert(constants.end(), {VK_TRUE, options.gatherStep, options.visibilityApart});
         }
-        pass.execute([constants, push, n, rows = tileRows(options, push)](PassContext& context) {
-            const ComputeKernel kernel{.shader = "vpl_resample.comp",
-                                       .groupWidth = shared::kVplTileWidth,
-                                       .groupHeight = shared::kVplTileHeight,
-                                       .specialisation = constants,
-                                       .fullSubgroups = true};
-            shared::ResamplePush band = push;
-            for (band.firstTileRow = 0; band.firstTileRow < n * push.tilesDown; band.firstTileRow += rows) {
-                const uint32_t count = std::min(rows, n * push.tilesDown - band.firstTileRow);
-                context.dispatch(kernel, n * push.tilesAcross * shared::kVplTileWidth, count * shared::kVplTileHeight,
-                                 band);
+        pass.execute([constants, stretch, options, n, width, height](PassContext& context) {
+            const gpu::Workgroup tile = gpu::tileOf(context.tuning().rayThreads);
+            const ComputeKernel kernel{
+                .shader = "vpl_resample.comp", .group = tile, .specialisation = constants, .fullSubgroups = true};
+            shared::ResamplePush band = stretch;
+            band.tilesAcross = divideUp(divideUp(width, n), tile.width);
+            band.tilesDown = divideUp(divideUp(height, n), tile.height);
+            const uint32_t rows = tileRows(options, band, tile, context.tuning().dispatchParts);
+            for (band.firstTileRow = 0; band.firstTileRow < n * band.tilesDown; band.firstTileRow += rows) {
+                const uint32_t count = std::min(rows, n * band.tilesDown - band.firstTileRow);
+                context.dispatch(kernel, n * band.tilesAcross * tile.width, count * tile.height, band);
             }
         });
-        firstVpl = push.endVpl;
+        firstVpl = stretch.endVpl;
     } while (firstVpl < options.vplCount);
     return *radiance;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/core/check.h"
 #include "engine/gpu/transfer.h"
+#include "engine/gpu/tuning_file.h"
 #include "engine/passes/frame_status.h"
 #include "engine/passes/trace_rays.h"
 #include "engine/techniques/plan_rays.h"
@@ -42,7 +43,10 @@ RayCaster::RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh, Ra
       gpuScene_(uploadScene(device, scene, plan_, bvh)),
       pipelines_(device),
       executor_(device, pipelines_),
-      status_(makeStatusBuffer(device)) {}
+      status_(makeStatusBuffer(device)) {
+    Warnings ignored;  // the default traverses as well
+    executor_.setTuning(gpu::tuningOf(device, ignored));
+}
 
 void RayCaster::load(std::span<const shared::RayQuery> rays) {
     MANYLIGHT_CHECK(rays.size() <= std::numeric_limits<uint32_t>::max() - shared::kMaxRaysPerDispatch, "rays");

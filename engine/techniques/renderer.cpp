@@ -1,6 +1,7 @@
 #include "engine/techniques/renderer.h"
 
 #include "engine/core/check.h"
+#include "engine/gpu/tuning_file.h"
 #include "engine/graph/dump.h"
 #include "engine/graph/finite_check.h"
 #include "engine/math/projection.h"
@@ -123,6 +124,7 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
       statusBuffer_(makeStatusBuffer(device)),
       keepsVariance_(plan_.pixelVariance),
       keepsDisplay_(plan_.display) {
+    setTuning(gpu::tuningOf(device, warnings_));
     resolve(settings);
     if (isTemporal()) temporal_.makeRoom(device_, settings_.width, settings_.height);
     makeTargets();
@@ -304,6 +306,7 @@ FrameGraph Renderer::declareFrame() {
     SceneHandles scene = importScene(graph, gpuScene_, frameConstants_, statusBuffer_);
     addStatusReset(graph, scene);
 
+    const uint32_t tuned = tuning().pixelsPerInvocation;
     RenderSettings settings = settings_;
     settings.interleavePhase += numberInSequence() - frameCount_;
     const FrameInputs inputs{.settings = settings,
@@ -311,7 +314,7 @@ FrameGraph Renderer::declareFrame() {
                              .gpuScene = gpuScene_,
                              .frame = frameCount_,
                              .subgroupSize = device_.subgroupSize(),
-                             .pixelsPerInvocation = gatherTuner_.pixelsPerInvocation(),
+                             .pixelsPerInvocation = tuned > 0 ? tuned : gatherTuner_.pixelsPerInvocation(),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
                              .gbufferByRays = gbufferByRays_,
                              .keepsCutOff = keepsCutOff_ || plan_.cutOff || settings_.show == Show::CutOff};
@@ -362,7 +365,7 @@ void Renderer::refuseNonFinite(const Execution& execution) const {
 }
 
 void Renderer::tuneGather(const Execution& execution) {
-    if (settings_.technique != Technique::Deferred || settings_.castShadows) return;
+    if (settings_.technique != Technique::Deferred || settings_.castShadows || tuning().pixelsPerInvocation > 0) return;
     double milliseconds = 0.0;
     for (const PassTime& pass : execution.passTimes)
         if (pass.pass == "vpl_light") milliseconds += pass.milliseconds;

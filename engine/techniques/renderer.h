@@ -50,8 +50,8 @@ class Renderer {
     /// the pipelines that there are. Restarts. Throws Error as the constructor does, and is of no use after that.
     void sceneReplaced(const RenderSettings& settings);
 
-    /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units; with --temporal, as long as
-    /// there are few, together with light of earlier views.
+    /// Mean radiance over the frames so far, RGB, linear Rec. 709, in the scene's own units; with --temporal, as long
+    /// as there are few, together with light of earlier views.
     Image radiance();
     /// The picture as displayed: exposure, tone curve; RGB bytes as sRGB-encoded values / 255, row 0 at the top.
     std::vector<uint8_t> displayRgba();
@@ -91,6 +91,10 @@ class Renderer {
     const StartupTimes& startupTimes() const { return startupTimes_; }
     GraphExecutor& executor() { return executor_; }
     gpu::PipelineLibrary& pipelines() { return pipelines_; }
+
+    /// What suits the device, as gpu::tuningOf() found it or as it is set for frames to come: no picture changes.
+    const gpu::Tuning& tuning() const { return executor_.tuning(); }
+    void setTuning(const gpu::Tuning& tuning) { executor_.setTuning(tuning); }
 
     /// The next frame's graph as Graphviz text, as JSON and as plain text.
     struct GraphDump {

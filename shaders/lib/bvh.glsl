@@ -5,6 +5,7 @@
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/bvh_ray.h"
 #include "shaders/shared/sobol.h"
+#include "shaders/shared/workgroups.h"
 
 #ifndef __cplusplus
 #ifndef MANYLIGHT_RAY_QUERY
@@ -14,7 +15,11 @@ layout(set = 0, binding = kBindingTriangles, rgba32ui) readonly uniform uimageBu
 
 // Whether any-hit queries keep their stack in registers, as SIMD code for CPUs likes it: a store that only some lanes
 // make is a branch for each lane there (10 % of the time for incoherent rays on lavapipe).
-layout(constant_id = 31) const bool kBvhStackInRegisters = true;
+layout(constant_id = kConstantStackInRegisters) const bool kBvhStackInRegisters = true;
+
+// An invocation at a leaf waits until its subgroup's others are at leaves too, but for no more nodes than these.
+layout(constant_id = kConstantNodesAnyHit) const int kMostNodesAny = 12;
+layout(constant_id = kConstantNodesClosestHit) const int kMostNodesClosest = 8;
 
 // Left out by ScenePlan where every material is opaque.
 layout(constant_id = 3) const bool kAlphaTested = false;
@@ -44,10 +49,6 @@ struct Hit {
 bool bvhLoopBudgetExceeded = false;
 
 #ifndef MANYLIGHT_RAY_QUERY
-// An invocation at a leaf waits until its subgroup's others are at leaves too, but for no more nodes than these.
-const int kMostNodesAny = 12;
-const int kMostNodesClosest = 8;
-
 // Siblings put aside, at most those of one node per level; what a word means is up to the query. Below the last there
 // is an empty one. Of two levels, the lower one's come above the upper one's.
 const int kBvhStackWords = kInstanced == 0u ? kBvhStackSize : 2 * kBvhStackSize;

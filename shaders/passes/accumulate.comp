@@ -3,11 +3,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
-#include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
 layout(constant_id = 0) const bool kFirstFrame = false;
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) readonly uniform image2D radianceImage;
 layout(set = 0, binding = kBindingRadianceSum, rgba32f) uniform image2D radianceSum;
 layout(set = 0, binding = kBindingRoundingError, rgba32f) uniform image2D roundingError;

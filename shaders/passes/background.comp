@@ -3,9 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/emission_seen.glsl"
-#include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 
 void main() {

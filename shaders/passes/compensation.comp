@@ -11,7 +11,6 @@
 
 layout(constant_id = 40) const bool kForReconstruction = false;
 
-layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 
@@ -31,7 +30,7 @@ void addToLight(ivec2 pixel, Receiver receiver, uint seed) {
 }
 
 void main() {
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy * tileSize());
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex);
     if (any(greaterThanEqual(pixel, ivec2(frame.imageSize)))) return;
     const Receiver receiver = readGBuffer(pixel, true).receiver;

@@ -4,9 +4,9 @@
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/camera.glsl"
 #include "shaders/lib/gbuffer.glsl"
-#include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingVisibility, r32ui) readonly uniform uimage2D visibility;
 layout(set = 0, binding = kBindingGBufferPosition, rgba32ui) writeonly uniform uimage2D gbufferPosition;
 layout(set = 0, binding = kBindingGBufferShading, rgba32ui) writeonly uniform uimage2D gbufferShading;

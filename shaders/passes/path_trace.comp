@@ -12,7 +12,6 @@
 layout(constant_id = 10) const bool kResumes = false;   // paths go on from the states of an earlier dispatch
 layout(constant_id = 11) const bool kSuspends = false;  // their states are left for a later one
 
-layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingPathStates, scalar) buffer StateBlock { PathState states[]; };
 layout(set = 0, binding = kBindingRadiance, rgba32f) writeonly uniform image2D radianceImage;
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
@@ -135,7 +134,7 @@ PathState meetSurface(PathState path, uint seed) {
 }
 
 void main() {
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy * tileSize());
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     if (pixel.x >= int(frame.imageSize.x) || pixel.y >= int(push.endRow)) return;
     const uint slot = (uint(pixel.y) - push.firstRow) * frame.imageSize.x + uint(pixel.x);

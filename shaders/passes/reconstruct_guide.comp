@@ -4,9 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/reconstruct.glsl"
-#include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingGuide, rgba32f) writeonly uniform image2D guide;
 
 void main() {

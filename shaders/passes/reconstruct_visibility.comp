@@ -5,9 +5,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/guide.glsl"
-#include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingReconstructed, rgba32f) readonly uniform image2D gathered;
 layout(set = 0, binding = kBindingUnshadowed, rgba32f) writeonly uniform image2D unshadowed;
 layout(set = 0, binding = kBindingReconstruction, rgba32f) writeonly uniform image2D visibility;

@@ -5,9 +5,9 @@
 #include "shaders/lib/gbuffer_read.glsl"
 #include "shaders/shared/show.h"
 #include "shaders/shared/sobol.h"
-#include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) writeonly uniform image2D radianceImage;
 layout(push_constant, scalar) uniform Push { ShowPush push; };
 

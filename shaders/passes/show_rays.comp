@@ -9,7 +9,6 @@
 #include "shaders/lib/gather_grid.glsl"
 #include "shaders/shared/show.h"
 
-layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;  // its alpha: VPLs counted so far
 layout(push_constant, scalar) uniform Push { ShowRaysPush push; };
 
@@ -41,7 +40,7 @@ uint countVpls(Receiver receiver, uvec2 pixel) {
 
 void main() {
     // No early return: every lane holds a VPL for the others.
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy * tileSize());
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     uint count = countVpls(readGBuffer(pixel, true).receiver, uvec2(pixel));
     if (push.gatherStep > 1u && !gathersItself(pixel, int(push.gatherStep), ivec2(push.gridStart))) count = 0u;

@@ -4,12 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/history.glsl"
-#include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
 layout(constant_id = 40) const bool kFirstFrame = false;
 layout(constant_id = 41) const bool kHasHistory = false;
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) readonly uniform image2D radianceImage;
 layout(set = 0, binding = kBindingRadianceSum, rgba32f) readonly uniform image2D radianceSum;
 layout(set = 0, binding = kBindingHistory, rgba32ui) uniform uimage2D history;

@@ -3,8 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
 #include "shaders/shared/tonemap.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kImageGroupWidth, local_size_y = kImageGroupHeight) in;
+layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
 layout(set = 0, binding = kBindingRadianceSum, rgba32f) readonly uniform image2D radianceSum;
 layout(set = 0, binding = kBindingDisplay, rgba8) writeonly uniform image2D display;
 layout(push_constant, scalar) uniform Push { TonemapPush push; };

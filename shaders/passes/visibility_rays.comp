@@ -9,7 +9,6 @@
 #include "shaders/shared/lights.h"
 #include "shaders/shared/visibility_rays.h"
 
-layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingVisibility, r32ui) writeonly uniform uimage2D visibility;
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { VisibilityRaysPush push; };
@@ -31,7 +30,7 @@ Hit firstSeen(vec3 origin, vec3 direction) {
 }
 
 void main() {
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy * tileSize());
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     if (pixel.x >= int(frame.imageSize.x) || pixel.y >= int(push.endRow)) return;
     const Hit hit = firstSeen(frame.cameraPosition, cameraDirection(pixel));

@@ -10,8 +10,9 @@
 #include "shaders/shared/lights.h"
 #include "shaders/shared/vpl_emission.h"
 #include "shaders/shared/warps.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kEmissionGroupSize) in;
+layout(local_size_x_id = kConstantGroupWidth) in;
 layout(set = 0, binding = kBindingRays, scalar) buffer RayBlock { Ray rays[]; };
 layout(set = 0, binding = kBindingPathOffsets, scalar) buffer PathBlock { uint pathVertexCount[]; };
 layout(set = 0, binding = kBindingPathVertices, scalar) writeonly buffer VertexBlock { LightData pathVertices[]; };

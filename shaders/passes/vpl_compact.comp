@@ -8,10 +8,11 @@
 #include "shaders/lib/random.glsl"
 #include "shaders/shared/lights.h"
 #include "shaders/shared/vpl_emission.h"
+#include "shaders/shared/workgroups.h"
 
 layout(constant_id = 2) const bool kGlossy = true;  // as in surface.glsl
 
-layout(local_size_x = kEmissionGroupSize) in;
+layout(local_size_x_id = kConstantGroupWidth) in;
 layout(set = 0, binding = kBindingPathOffsets, scalar) readonly buffer PathBlock { uint pathOffsets[]; };
 layout(set = 0, binding = kBindingPathVertices, scalar) readonly buffer VertexBlock { LightData pathVertices[]; };
 layout(set = 0, binding = kBindingVpls, scalar) writeonly buffer VplBlock { LightData vpls[]; };

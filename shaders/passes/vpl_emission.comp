@@ -4,8 +4,9 @@
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/emitter_radiance.glsl"
 #include "shaders/shared/vpl_emission.h"
+#include "shaders/shared/workgroups.h"
 
-layout(local_size_x = kEmissionGroupSize) in;
+layout(local_size_x_id = kConstantGroupWidth) in;
 layout(set = 0, binding = kBindingRays, scalar) writeonly buffer RayBlock { Ray rays[]; };
 layout(set = 0, binding = kBindingPathOffsets, scalar) writeonly buffer PathBlock { uint pathVertexCount[]; };
 layout(push_constant, scalar) uniform Push { EmissionPush push; };

@@ -12,14 +12,13 @@ const uint kReceivers = 1u;
 
 layout(constant_id = 12) const bool kAddToRadiance = false;
 
-layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { ShadePush push; };
 
 void main() {
     // No early return: every lane holds a VPL for the others.
-    const ivec2 tile = ivec2(gl_WorkGroupID.xy) * ivec2(kVplTileWidth, kVplTileHeight);
+    const ivec2 tile = ivec2(gl_WorkGroupID.xy * tileSize());
     const ivec2 pixel = tile + pixelInTile(gl_LocalInvocationIndex) + ivec2(0, push.firstRow);
     Receiver receivers[kReceivers] = {readGBuffer(pixel, true).receiver};
     vec3 sums[kReceivers] = {vec3(0.0)};

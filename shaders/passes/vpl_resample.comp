@@ -24,7 +24,6 @@ layout(constant_id = 40) const bool kForReconstruction = false;
 layout(constant_id = 41) const int kGatherStep = 1;
 layout(constant_id = 42) const bool kVisibilityApart = false;
 
-layout(local_size_x = kVplGroupSize) in;
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(set = 0, binding = kBindingStatus, scalar) buffer StatusBlock { FrameStatus status; };
 layout(push_constant, scalar) uniform Push { ResamplePush push; };
@@ -154,7 +153,7 @@ void main() {
     const uvec2 tile = gl_WorkGroupID.xy + uvec2(0u, push.firstTileRow);
     const uvec2 pixelClass = classOfTile(tile);
     const uvec2 tileOfClass = tile - pixelClass * uvec2(push.tilesAcross, push.tilesDown);
-    const ivec2 inClass = ivec2(tileOfClass) * ivec2(kVplTileWidth, kVplTileHeight) + pixelInTile(gl_LocalInvocationIndex);
+    const ivec2 inClass = ivec2(tileOfClass * tileSize()) + pixelInTile(gl_LocalInvocationIndex);
     const ivec2 pixel = inClass * int(push.interleave) + ivec2(pixelClass);
     chooseSubset(pixelClass);
     Receiver receiver = readGBuffer(pixel, true).receiver;

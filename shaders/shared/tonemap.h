@@ -8,9 +8,6 @@ MANYLIGHT_CONSTANT(uint, kToneLinear, 0u);    // clamp
 MANYLIGHT_CONSTANT(uint, kToneReinhard, 1u);  // luminance, Reinhard et al. 2002 eq. 4 with a white point
 MANYLIGHT_CONSTANT(uint, kToneAces, 2u);      // Narkowicz' fit of the ACES curve
 
-MANYLIGHT_CONSTANT(uint, kImageGroupWidth, 16u);
-MANYLIGHT_CONSTANT(uint, kImageGroupHeight, 8u);
-
 struct TonemapPush {
     float scale;  // exposure / number of frames summed
     uint curve;

@@ -4,7 +4,6 @@
 
 MANYLIGHT_SHARED_BEGIN
 
-MANYLIGHT_CONSTANT(uint, kEmissionGroupSize, 64u);
 MANYLIGHT_CONSTANT(uint, kScanGroupSize, 256u);
 
 // Paths are traced in batches, so that the slots of a batch (paths * depth) fit a small buffer at any VPL count.

@@ -4,12 +4,6 @@
 
 MANYLIGHT_SHARED_BEGIN
 
-// A workgroup shades a tile of pixels. Its threads lie along x alone, as full subgroups of any size want it; the tile is
-// filled so that every subgroup of 8, 32 or 64 lanes covers a compact block, which keeps its rays together.
-MANYLIGHT_CONSTANT(uint, kVplGroupSize, 128u);
-MANYLIGHT_CONSTANT(uint, kVplTileWidth, 16u);
-MANYLIGHT_CONSTANT(uint, kVplTileHeight, 8u);
-
 // The VPL list is padded with dark entries to a multiple of this, which every subgroup size divides.
 MANYLIGHT_CONSTANT(uint, kVplPadding, 128u);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <numeric>
@@ -25,6 +26,7 @@ class DeviceOfProcess : public ::testing::Environment {
 };
 
 DeviceOfProcess* const deviceOfProcess = [] {
+    setenv("MANYLIGHT_TUNING", "off", 0);     // but for a file that is given to the tests
     auto* environment = new DeviceOfProcess;  // GoogleTest owns it
     ::testing::AddGlobalTestEnvironment(environment);
     return environment;

@@ -2,8 +2,12 @@
 #include "engine/core/error.h"
 #include "tests/gpu/test_scenes.h"
 #include "tests/gpu/z_test.h"
+#include "tests/support/significance.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <cmath>
 
 namespace manylight::test {
 namespace {
@@ -92,6 +96,84 @@ TEST_P(ResampledMeans, AreThoseOfThePathTracer) {
     const PictureSamples resampled = samplePictures(scene, settings, {.count = 32, .frames = 12});
     expectSameMeans(resampled, truth, 0.008);
     EXPECT_TRUE(toldApart(scaled(resampled, 1.05), truth));
+}
+
+/// A room with a lamp at either end and a board between, round which about half of the light comes.
+Scene dividedRoom() {
+    Scene scene = closedBox(glm::vec3(0.7f));
+    scene.lights.push_back(pointLight({0.3f, 0.35f, 0.1f}, glm::vec3(1.0f)));
+    scene.lights.push_back(pointLight({-0.35f, -0.2f, -0.3f}, glm::vec3(1.0f)));
+    addQuad(scene, {-0.02f, -0.5f, -0.5f}, {0.04f, 0, 0.75f}, {0, 0.8f, 0}, 0);
+    return finished(std::move(scene));
+}
+
+/// Sum over quarters of pictures of z^2, z being the sum of what the draws put pixels off by, over its own standard
+/// error. Pixels draw independently of each other, from one list of VPLs: z is as of a normal variable if each VPL is
+/// drawn as often as its weight says, and grows with the number of pixels if one is not, as it lights many pixels of a
+/// quarter, or none.
+struct SquaredErrors {
+    double sum = 0.0;
+    double count = 0.0;
+
+    void add(const Image& drawn, const Image& whole, double scale) {
+        for (uint32_t y = 0; y < whole.height; y += whole.height / 2)
+            for (uint32_t x = 0; x < whole.width; x += whole.width / 2) addQuarter(drawn, whole, scale, {x, y});
+    }
+    double pValue() const { return chiSquarePValue(sum, count); }
+
+  private:
+    void addQuarter(const Image& drawn, const Image& whole, double scale, glm::uvec2 first) {
+        double offBy = 0.0;
+        double squares = 0.0;
+        for (uint32_t y = first.y; y < first.y + whole.height / 2; ++y)
+            for (uint32_t x = first.x; x < first.x + whole.width / 2; ++x) {
+                const double truth = double{whole.at(x, y, 0)};
+                const double difference = double{drawn.at(x, y, 0)} - scale * truth;
+                if (std::abs(difference) < 1e-5 * truth) continue;  // rounding
+                offBy += difference;
+                squares += difference * difference;
+            }
+        if (squares == 0.0) return;
+        sum += offBy * offBy / squares;
+        count += 1.0;
+    }
+};
+
+struct Draws {
+    uint32_t vpls;
+    uint32_t rays;
+    uint32_t interleave;
+};
+
+// Against a ray for each of the very same VPLs, of which half or so are in shadow. Over lists the light that a wrong
+// draw takes from one VPL and gives to another is made good, as any place of the list may hold any VPL; from one list
+// it is not.
+TEST_F(VplResample, EachVplOfAListIsDrawnAsOftenAsItsWeightSays) {
+    const Scene scene = dividedRoom();
+    RenderSettings settings = gatherSettings(64, 48);
+    Renderer renderer(device(), scene, settings);
+    const auto pictureWith = [&](uint32_t rays) {
+        settings.shadowRays = rays;
+        renderer.restart(settings);
+        renderer.renderFrame();
+        return renderer.radiance();
+    };
+    for (const Draws draws : {Draws{17, 1, 1}, Draws{64, 4, 1}, Draws{150, 4, 1}, Draws{70, 1, 2}}) {
+        SCOPED_TRACE(fmt::format("{} VPLs, {} rays, interleave {}", draws.vpls, draws.rays, draws.interleave));
+        settings.vplCount = draws.vpls;
+        settings.interleave = draws.interleave;
+        SquaredErrors errors;
+        SquaredErrors ofDimmed;
+        for (settings.seed = 0; settings.seed < 16; ++settings.seed) {
+            const Image whole = pictureWith(0);
+            const Image drawn = pictureWith(draws.rays);
+            errors.add(drawn, whole, 1.0);
+            ofDimmed.add(drawn, whole, 0.9);
+        }
+        EXPECT_GT(errors.count, 40.0);
+        EXPECT_GT(errors.pValue(), 0.001) << errors.sum << " for " << errors.count;
+        EXPECT_LT(ofDimmed.pValue(), 1e-6) << "the draws scatter too much to say anything";
+    }
 }
 
 TEST_F(VplResample, IsRefusedWhereItIsNot) {

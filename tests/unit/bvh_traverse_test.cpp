@@ -25,7 +25,10 @@ struct TexelBuffer {
 };
 TexelBuffer bvhNodes;
 TexelBuffer bvhTriangles;
-bool kBvhStackInRegisters = true;  // a specialisation constant in shaders
+// Specialisation constants in shaders.
+bool kBvhStackInRegisters = true;
+int kMostNodesAny = 12;
+int kMostNodesClosest = 8;
 uvec4 imageLoad(const TexelBuffer& buffer, int index) {
     if (index < 0 || index >= buffer.size) throw std::out_of_range("imageLoad");
     return buffer.texels[index];
@@ -66,8 +69,10 @@ class Traversal {
     shared::Hit closest(const RayQuery& ray) const { return shared::closestHit(ray.origin, ray.direction, ray.tMax); }
     bool occluded(const RayQuery& ray) const {
         shared::kBvhStackInRegisters = false;
+        shared::kMostNodesAny = 4;
         const bool byMemory = shared::occluded(ray.origin, ray.direction, ray.tMax);
         shared::kBvhStackInRegisters = true;
+        shared::kMostNodesAny = 12;
         const bool byRegisters = shared::occluded(ray.origin, ray.direction, ray.tMax);
         EXPECT_EQ(byMemory, byRegisters);
         return byRegisters;
