@@ -1,5 +1,6 @@
 #include "engine/gpu/acceleration_structure.h"
 
+#include "engine/gpu/memory_barrier.h"
 #include "engine/gpu/transfer.h"
 
 #include <algorithm>
@@ -56,21 +57,6 @@ struct Build {
     }
 };
 
-void recordBarrier(VkCommandBuffer commands, VkPipelineStageFlags2 stages, VkAccessFlags2 access,
-                   VkPipelineStageFlags2 nextStages, VkAccessFlags2 nextAccess) {
-    VkMemoryBarrier2 barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-    barrier.srcStageMask = stages;
-    barrier.srcAccessMask = access;
-    barrier.dstStageMask = nextStages;
-    barrier.dstAccessMask = nextAccess;
-    VkDependencyInfo dependency{};
-    dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-    dependency.memoryBarrierCount = 1;
-    dependency.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &dependency);
-}
-
 Buffer structureBuffer(Device& device, const std::string& name, const Build& build) {
     constexpr VkBufferUsageFlags kUsage =
         VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
@@ -93,8 +79,8 @@ void recordBuilds(Device& device, const std::vector<Build>& builds, const std::v
     constexpr VkAccessFlags2 kWritten = VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR;
     constexpr VkAccessFlags2 kRead = VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
     submitAndWait(device, "building acceleration structures", [&](VkCommandBuffer commands) {
-        recordBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, kBuild,
-                      VK_ACCESS_2_SHADER_READ_BIT | kRead | kWritten);
+        recordMemoryBarrier(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, kBuild,
+                            VK_ACCESS_2_SHADER_READ_BIT | kRead | kWritten);
         for (size_t i = 0; i < builds.size(); ++i) {
             if (!targets[i].exists()) continue;
             VkAccelerationStructureBuildGeometryInfoKHR info = builds[i].info();
@@ -103,9 +89,9 @@ void recordBuilds(Device& device, const std::vector<Build>& builds, const std::v
             const VkAccelerationStructureBuildRangeInfoKHR range{builds[i].primitiveCount, 0, 0, 0};
             const VkAccelerationStructureBuildRangeInfoKHR* const ranges = &range;
             vkCmdBuildAccelerationStructuresKHR(commands, 1, &info, &ranges);
-            recordBarrier(commands, kBuild, kWritten, kBuild, kRead | kWritten);
+            recordMemoryBarrier(commands, kBuild, kWritten, kBuild, kRead | kWritten);
         }
-        recordBarrier(commands, kBuild, kWritten, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, kRead);
+        recordMemoryBarrier(commands, kBuild, kWritten, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, kRead);
     });
 }
 

@@ -20,7 +20,8 @@ struct BindingLayout {
     auto operator<=>(const BindingLayout&) const = default;
 };
 
-/// Value i specialises constant_id i, unless it is kAsInShader; i is below those of shaders/shared/workgroups.h. Floats go through std::bit_cast.
+/// Value i specialises constant_id i, unless it is kAsInShader; i is below those of shaders/shared/workgroups.h. Floats go
+/// through std::bit_cast.
 using Specialisation = std::vector<uint32_t>;
 inline constexpr uint32_t kAsInShader = 0xfffffffeu;
 

@@ -1,5 +1,7 @@
 #include "engine/gpu/transfer.h"
 
+#include "engine/gpu/memory_barrier.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -92,17 +94,8 @@ std::vector<std::byte> readBuffer(Device& device, const Buffer& source) {
     submitAndWait(device, "reading a buffer back", [&](VkCommandBuffer commands) {
         const VkBufferCopy region{0, 0, source.size()};
         vkCmdCopyBuffer(commands, source.handle(), target.handle(), 1, &region);
-        VkMemoryBarrier2 barrier{};
-        barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-        barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-        barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-        barrier.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-        barrier.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-        VkDependencyInfo dependency{};
-        dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-        dependency.memoryBarrierCount = 1;
-        dependency.pMemoryBarriers = &barrier;
-        vkCmdPipelineBarrier2(commands, &dependency);
+        recordMemoryBarrier(commands, VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                            VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT);
     });
     std::vector<std::byte> bytes(source.size());
     std::memcpy(bytes.data(), target.mapped(), bytes.size());

@@ -170,7 +170,8 @@ float readEmissionScale(const JsonView& view) {
 
 /// Of surfaces, by the names of their materials.
 void scaleEmissions(const JsonView& emissions, RawScene& scene) {
-    for (const auto& [name, value] : emissions.expectObject().json().items()) {
+    for (const auto& emission : emissions.expectObject().json().items()) {
+        const std::string& name = emission.key();
         const float scale = readEmissionScale(emissions.at(name));
         bool isFound = false;
         const auto take = [&](auto& surfaces) {

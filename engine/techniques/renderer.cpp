@@ -108,14 +108,16 @@ TechniqueResult declareTechnique(FrameGraph& graph, SceneHandles& scene, const F
 
 }  // namespace
 
-Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings)
+Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings,
+                   gpu::PipelineLibrary* pipelines)
     : device_(device),
       givenScene_(scene),
       reducedScene_(settings.materials == Materials::Diffuse ? std::optional(diffuseOnly(scene)) : std::nullopt),
       scene_(reducedScene_ ? *reducedScene_ : scene),
       plan_(planFor(device, scene_, settings)),
       gpuScene_(uploadTimed(device, scene_, plan_, buildTimed(scene_, startupTimes_.bvhBuild), startupTimes_.upload)),
-      pipelines_(device),
+      ownPipelines_(pipelines == nullptr ? std::make_unique<gpu::PipelineLibrary>(device) : nullptr),
+      pipelines_(pipelines == nullptr ? *ownPipelines_ : *pipelines),
       executor_(device, pipelines_),
       frameConstants_{
           gpu::Buffer(device, "frame constants",

@@ -22,8 +22,10 @@ struct StartupTimes {
 
 class Renderer {
   public:
-    /// Plans, builds the BVH and uploads. `settings` are resolved against the scene: see settings(). Throws Error.
-    Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings);
+    /// Plans, builds the BVH and uploads. `settings` are resolved against the scene: see settings(). Renderers that are
+    /// given the same `pipelines` share what is compiled; without, it is the renderer's own. Throws Error.
+    Renderer(gpu::Device& device, const Scene& scene, const RenderSettings& settings,
+             gpu::PipelineLibrary* pipelines = nullptr);
     ~Renderer();
 
     /// Renders one more frame, with new light paths and a new sample of every pixel, and adds it to the sum.
@@ -131,7 +133,8 @@ class Renderer {
     ScenePlan plan_;
     StartupTimes startupTimes_;
     GpuScene gpuScene_;
-    gpu::PipelineLibrary pipelines_;
+    std::unique_ptr<gpu::PipelineLibrary> ownPipelines_;  // none where they are shared
+    gpu::PipelineLibrary& pipelines_;
     GraphExecutor executor_;
     PhysicalBuffer frameConstants_;
     PhysicalBuffer statusBuffer_;

@@ -59,7 +59,7 @@ TEST_F(AccumulatorTest, TheVarianceIsThatOfFramesOfOtherSeeds) {
     double found = 0.0;
     constexpr uint32_t kRuns = 8;
     RenderSettings settings = noisySettings();
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepVariance(true);
     for (uint32_t run = 0; run < kRuns; ++run) {
         settings.seed = 1000 + run;
@@ -77,7 +77,7 @@ TEST_F(AccumulatorTest, TheVarianceIsThatOfFramesOfOtherSeeds) {
 
 TEST_F(AccumulatorTest, TheErrorFallsWithTheSquareRootOfFrames) {
     const Scene scene = closedBox(glm::vec3(0.5f), glm::vec3(1.0f));
-    Renderer renderer(device(), scene, noisySettings());
+    Renderer renderer(device(), scene, noisySettings(), pipelines());
     renderer.keepVariance(true);
     for (int frame = 0; frame < 16; ++frame) renderer.renderFrame();
     const double before = renderer.relativeStandardError();
@@ -106,7 +106,7 @@ TEST_F(AccumulatorTest, ACaptureEndsWhereItsErrorIsTheTarget) {
 TEST_F(AccumulatorTest, NothingRandomHasNoVariance) {
     Scene scene = closedBox(glm::vec3(0.5f));
     scene.lights.push_back(pointLight({0.1f, 0.2f, 0.1f}, glm::vec3(0.3f)));
-    Renderer renderer(device(), scene, plainSettings());
+    Renderer renderer(device(), scene, plainSettings(), pipelines());
     renderer.keepVariance(true);
     for (int frame = 0; frame < 4; ++frame) renderer.renderFrame();
     // The mean is that of 1, 2 and 3 frames, to rounding.

@@ -70,7 +70,7 @@ TEST_F(Compensation, OfABoundThatTakesNothingIsNothing) {
 TEST_F(Compensation, WhatTheBoundTakesAndWhatItLeavesMakeTheWhole) {
     const Scene scene = everyKindOfLight();
     RenderSettings settings = merelyBounded(compensatedSettings(1.0f, 100, 4, 24, 18));
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepCutOff(true);
     for (int frame = 0; frame < 2; ++frame) renderer.renderFrame();
     const Image bounded = renderer.radiance();
@@ -90,7 +90,7 @@ TEST_F(Compensation, APictureLacksWhatTheBoundTook) {
     const Estimate truth = estimate(truthOf(scene, settings, 48).mean);
     std::vector<double> bounded;
     std::vector<double> cutOff;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepCutOff(true);
     for (settings.seed = 0; settings.seed < 16; ++settings.seed) {
         renderer.restart(settings);

@@ -81,7 +81,7 @@ TEST_P(Degenerate, TheCameraLooksAway) {
 TEST_P(Degenerate, BlackSurfacesLeaveNoVpls) {
     Scene scene = litBox();
     scene.materials[0].albedo = glm::vec3(0.0f);
-    Renderer renderer(device(), scene, someSettings(GetParam()));
+    Renderer renderer(device(), scene, someSettings(GetParam()), pipelines());
     renderer.renderFrame();
     EXPECT_EQ(renderer.status().vplsTraced, 0u);
     EXPECT_EQ(largestOf(renderer.radiance()), 0.0);

@@ -61,7 +61,7 @@ TEST_F(Determinism, HowManyPixelsAnInvocationShadesDoesNotShow) {
     settings.height = 21;
     settings.vplCount = 100;
     settings.castShadows = false;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.renderFrame();
     const Image first = renderer.radiance();
     for (int frame = 1; frame < 7; ++frame) {
@@ -101,7 +101,7 @@ TEST_F(Determinism, EveryEntryOfTheVplListIsUsedWherePathsSuffice) {
 
 TEST_F(Determinism, ARendererStartedAgainForgets) {
     const Scene scene = cornellBox();
-    Renderer renderer(device(), scene, pictureSettings());
+    Renderer renderer(device(), scene, pictureSettings(), pipelines());
     renderer.renderFrame();
     const Image first = renderer.radiance();
     renderer.renderFrame();

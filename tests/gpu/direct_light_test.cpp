@@ -14,7 +14,7 @@ constexpr double kPi = shared::kPi;
 constexpr float kAlbedo = 0.5f;
 
 GBufferImage gbufferOf(const Scene& scene, const RenderSettings& settings) {
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     return captureGBuffer(renderer, scene);
 }
 

@@ -169,16 +169,11 @@ TEST_F(Environment, PathsThatStartAtAMapCarryItsFlux) {
     settings.bounceCount = 1;
     settings.pathCount = 4096;
     settings.vplCount = 4096;
-    Renderer renderer(device(), scene, settings);
-    renderer.keepVpls();
-    for (uint32_t seed = 0; seed < 16; ++seed) {
-        settings.seed = seed;
-        renderer.restart(settings);
-        renderer.renderFrame();
+    forEachSeed(scene, settings, 16, [&](Renderer& renderer) {
         double flux = 0.0;
         for (const shared::LightData& vpl : renderer.vpls()) flux += kPi * double{vpl.intensity} * double{vpl.colour.x};
         fluxes.push_back(flux);
-    }
+    });
     expectMean(fluxes, 0.5 * (irradiance + below), 0.02);
 }
 

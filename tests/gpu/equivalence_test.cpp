@@ -84,7 +84,7 @@ using EquivalenceOnce = GpuTest;
 TEST_F(EquivalenceOnce, WhatIsKeptBesidesDoesNotShow) {
     const Scene scene = cornellBox();
     const Image plain = render(scene, matrixSettings(), 2);
-    Renderer renderer(device(), scene, matrixSettings());
+    Renderer renderer(device(), scene, matrixSettings(), pipelines());
     renderer.keepVpls();
     renderer.keepVariance(true);
     renderer.keepCutOff(true);
@@ -232,7 +232,7 @@ TEST_P(SameInExpectation, OverSeeds) {
     RenderSettings settings = matrixSettings(8);
     settings.bounceCount = 5;
     const Scene scene = unevenBox();
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     const MeanAndError left = meanAndError(meansOfSeeds(renderer, changed(settings, GetParam().left)));
     const MeanAndError right = meanAndError(meansOfSeeds(renderer, changed(settings, GetParam().right)));
     const double error = std::hypot(left.error, right.error);
@@ -244,7 +244,7 @@ TEST_P(SameInExpectation, OverSeeds) {
 TEST_F(EquivalenceOnce, RasterAndRaysSeeTheSameSurfaces) {
     constexpr uint32_t kSize = 64;
     for (const Scene& scene : {cornellBox(), everyKindOfLight()}) {
-        Renderer renderer(device(), scene, matrixSettings(kSize));
+        Renderer renderer(device(), scene, matrixSettings(kSize), pipelines());
         const GBufferImage gbuffer = captureGBuffer(renderer, scene);
         RayCaster caster(device(), scene, buildBvh(scene));
         const RaySet rays = primaryRays(scene.cameras[0], kSize, kSize);  // in Morton order

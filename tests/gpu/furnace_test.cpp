@@ -41,7 +41,7 @@ void expectLongPaths(float albedo, ClampMode clamp, double relativeError) {
     settings.lightSampleCount = 64;
     settings.clamp = clamp;
     const Scene scene = closedBox(glm::vec3(albedo), glm::vec3(1.0f));
-    const Renderer renderer(device(), scene, settings);
+    const Renderer renderer(device(), scene, settings, pipelines());
     const int bounces = renderer.settings().bounceCount.value_or(0);
     const double a = double{albedo};
     // Emission, direct light and `bounces` bounces: what unlimited paths would add is left out.

@@ -12,17 +12,25 @@
 namespace manylight::test {
 namespace {
 
-/// Gives the device back before the Vulkan loader goes away with the other globals.
+/// Gives the device, and what was compiled for it, back before the Vulkan loader goes away with the other globals.
 class DeviceOfProcess : public ::testing::Environment {
   public:
-    void TearDown() override { device_.reset(); }
+    void TearDown() override {
+        pipelines_.reset();
+        device_.reset();
+    }
     gpu::Device& device() {
         if (!device_) device_ = std::make_unique<gpu::Device>(gpu::DeviceOptions{{}, gpu::Validation::Sync});
         return *device_;
     }
+    gpu::PipelineLibrary& pipelines() {
+        if (!pipelines_) pipelines_ = std::make_unique<gpu::PipelineLibrary>(device());
+        return *pipelines_;
+    }
 
   private:
     std::unique_ptr<gpu::Device> device_;
+    std::unique_ptr<gpu::PipelineLibrary> pipelines_;
 };
 
 DeviceOfProcess* const deviceOfProcess = [] {
@@ -35,6 +43,8 @@ DeviceOfProcess* const deviceOfProcess = [] {
 }  // namespace
 
 gpu::Device& device() { return deviceOfProcess->device(); }
+
+gpu::PipelineLibrary* pipelines() { return &deviceOfProcess->pipelines(); }
 
 RenderSettings plainSettings(uint32_t width, uint32_t height) {
     RenderSettings settings;
@@ -49,13 +59,13 @@ RenderSettings plainSettings(uint32_t width, uint32_t height) {
 }
 
 Image render(const Scene& scene, const RenderSettings& settings, uint32_t frames) {
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     for (uint32_t i = 0; i < frames; ++i) renderer.renderFrame();
     return renderer.radiance();
 }
 
 VplList renderVpls(const Scene& scene, const RenderSettings& settings) {
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepVpls();
     renderer.renderFrame();
     return {renderer.vpls(), renderer.status()};
@@ -78,7 +88,7 @@ bool sameBits(const std::vector<shared::LightData>& a, const std::vector<shared:
 
 void forEachSeed(const Scene& scene, RenderSettings settings, uint32_t seeds, const std::function<void(Renderer&)>& use,
                  uint32_t frames) {
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepVpls();
     for (settings.seed = 0; settings.seed < seeds; ++settings.seed) {
         renderer.restart(settings);

@@ -14,6 +14,9 @@ namespace manylight::test {
 /// The one device of the process, with synchronisation validation. Without a device this throws: a failure, no skip.
 gpu::Device& device();
 
+/// What the renderers of a process share: a shader is compiled once for all tests of a suite that use it alike.
+gpu::PipelineLibrary* pipelines();
+
 /// Every test ends with as many validation messages as it began with.
 class GpuTest : public ::testing::Test {
   protected:

@@ -139,7 +139,7 @@ TEST_F(HardwareRays, FollowInstancesThatMove) {
     RenderSettings settings = shadowedSettings(Technique::Deferred);
     settings.gbuffer = GBufferBy::Rays;
     settings.rays = RaysBy::Hardware;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.renderFrame();
     const Image before = renderer.radiance();
     scene.instances[0].center.x += 0.1f;
@@ -153,7 +153,7 @@ TEST_F(HardwareRays, NeedNoNodesAndCountTheirOwnMemory) {
     RenderSettings settings = shadowedSettings(Technique::PathTracer);
     settings.rays = RaysBy::Hardware;
     const Scene scene = cornellBox();
-    const Renderer renderer(device(), scene, settings);
+    const Renderer renderer(device(), scene, settings, pipelines());
     EXPECT_TRUE(renderer.plan().hardwareRays);
     EXPECT_EQ(renderer.gpuScene().bvhNodeCount, 0u);
     EXPECT_GT(renderer.gpuScene().report()["acceleration_structure_bytes"].get<uint64_t>(), 0u);
@@ -166,11 +166,11 @@ TEST_F(HardwareRaysAskedFor, AreThereOrMissedByName) {
     settings.rays = RaysBy::Hardware;
     const Scene scene = cornellBox();
     if (device().canTraceRays()) {
-        EXPECT_NO_THROW(Renderer(device(), scene, settings));
+        EXPECT_NO_THROW(Renderer(device(), scene, settings, pipelines()));
         return;
     }
     try {
-        const Renderer renderer(device(), scene, settings);
+        const Renderer renderer(device(), scene, settings, pipelines());
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find(device().missingForRays()), std::string::npos) << error.what();
@@ -180,7 +180,7 @@ TEST_F(HardwareRaysAskedFor, AreThereOrMissedByName) {
 TEST_F(HardwareRaysAskedFor, StayWhatTheyWere) {
     RenderSettings settings = plainSettings(8, 8);
     const Scene scene = cornellBox();
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     settings.rays = RaysBy::Software;
     EXPECT_THROW(renderer.restart(settings), Error);
 }

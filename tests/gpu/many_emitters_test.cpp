@@ -57,18 +57,13 @@ TEST_F(ManyEmitters, LightPathsCarryTheirWholeFlux) {
     settings.pathCount = 4096;
     settings.vplCount = 4096;
     std::vector<double> sums;
-    Renderer renderer(device(), scene, settings);
-    renderer.keepVpls();
-    for (uint32_t seed = 0; seed < 16; ++seed) {
-        settings.seed = seed;
-        renderer.restart(settings);
-        renderer.renderFrame();
+    forEachSeed(scene, settings, 16, [&](Renderer& renderer) {
         double sum = 0.0;
         for (const shared::LightData& vpl : renderer.vpls())
             sum += kPi * double{vpl.intensity} * (double{vpl.colour.x} + double{vpl.colour.y} + double{vpl.colour.z}) /
                    3.0;
         sums.push_back(sum);
-    }
+    });
     expectMean(sums, double{kAlbedo} * flux, 0.003 * flux);
 }
 

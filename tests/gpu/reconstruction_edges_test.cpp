@@ -73,7 +73,7 @@ TEST_F(ReconstructionEdges, DoesNotCarryLightAcrossEdgesAndKeepsTheMeanOfAWall) 
     const Image pattern = render(scene, settings);
     settings.interleave = 1;
     const Image whole = render(scene, settings);
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     const GBufferImage gbuffer = captureGBuffer(renderer, scene);
 
     double filteredSum = 0.0;

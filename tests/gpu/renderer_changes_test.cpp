@@ -31,7 +31,7 @@ Image frameOf(Renderer& renderer) {
 
 TEST_F(RendererChanges, OtherLightsGiveThePictureOfASceneThatHasThem) {
     Scene scene = litBox();
-    Renderer renderer(device(), scene, bouncing());
+    Renderer renderer(device(), scene, bouncing(), pipelines());
     const Image before = frameOf(renderer);
     scene.lights.front().position.y = -0.1f;
     scene.lights.push_back(scene.lights.front());
@@ -53,7 +53,7 @@ TEST_F(RendererChanges, OtherEmissionGivesThePictureOfASceneThatHasIt) {
         Scene scene = litBox();
         RenderSettings settings = bouncing();
         settings.materials = materials;
-        Renderer renderer(device(), scene, settings);
+        Renderer renderer(device(), scene, settings, pipelines());
         const Image before = frameOf(renderer);
         for (const float factor : factors) {
             for (size_t i = 0; i < scene.materials.size(); ++i)
@@ -70,7 +70,7 @@ TEST_F(RendererChanges, ASceneThatBecameAnotherGivesItsPicture) {
     Scene scene = litBox();
     RenderSettings settings = bouncing();
     settings.materials = Materials::Diffuse;  // of which the renderer keeps a copy
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     const Image before = frameOf(renderer);
     for (Vertex& vertex : scene.vertices) vertex.position.y += 0.1f * vertex.position.x * vertex.position.x;
     scene.triangles.pop_back();
@@ -83,7 +83,7 @@ TEST_F(RendererChanges, ASceneThatBecameAnotherGivesItsPicture) {
 
 TEST_F(RendererChanges, AnotherCameraGivesThePictureOfASceneThatHasIt) {
     Scene scene = litBox();
-    Renderer renderer(device(), scene, bouncing());
+    Renderer renderer(device(), scene, bouncing(), pipelines());
     const Image before = frameOf(renderer);
     Camera camera = scene.cameras.front();
     camera.origin += 0.05f * camera.up;
@@ -100,7 +100,7 @@ TEST_F(RendererChanges, AnotherCameraGivesThePictureOfASceneThatHasIt) {
 
 TEST_F(RendererChanges, ExposureIsSeenAtOnceAndCostsNoFrame) {
     const Scene scene = litBox();
-    Renderer renderer(device(), scene, bouncing());
+    Renderer renderer(device(), scene, bouncing(), pipelines());
     renderer.keepDisplay();
     renderer.renderFrame();
     const std::vector<uint8_t> before = renderer.displayRgba();
@@ -112,7 +112,7 @@ TEST_F(RendererChanges, ExposureIsSeenAtOnceAndCostsNoFrame) {
     RenderSettings settings = bouncing();
     settings.exposure = 1.5f;
     settings.toneCurve = ToneCurve::Reinhard;
-    Renderer other(device(), scene, settings);
+    Renderer other(device(), scene, settings, pipelines());
     other.renderFrame();
     EXPECT_EQ(changed, other.displayRgba());
 }
@@ -122,7 +122,7 @@ TEST_F(RendererChanges, WhatTheBoundTakesIsShownAsItIsRecorded) {
     RenderSettings settings = bouncing();
     settings.clamp = ClampMode::Bound;
     settings.clampBound = 0.01f;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepCutOff(true);
     renderer.renderFrame();
     const Image recorded = renderer.cutOff();
@@ -136,7 +136,7 @@ TEST_F(RendererChanges, WhatTheBoundTakesIsShownAsItIsRecorded) {
 
 TEST_F(RendererChanges, WhatWasAskedForStaysSoInThePlan) {
     const Scene scene = litBox();
-    Renderer renderer(device(), scene, bouncing());
+    Renderer renderer(device(), scene, bouncing(), pipelines());
     const auto leavesOut = [&](const char* what) {
         const auto found = std::ranges::find(renderer.plan().decisions, what, &PlanDecision::what);
         return found != renderer.plan().decisions.end() && found->leftOut;

@@ -32,7 +32,7 @@ TEST_F(Shadows, AnOccluderBlocksAndItsSurroundingsAreLit) {
     const Image shadowed = render(scene, settings);
     settings.castShadows = false;
     const Image lit = render(scene, settings);
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     const GBufferImage gbuffer = captureGBuffer(renderer, scene);
     size_t dark = 0;
     for (size_t i = 0; i < gbuffer.texels.size(); ++i) {

@@ -38,7 +38,7 @@ TEST_F(ShowRays, CountsTheVplsThatFaceThePixel) {
     const Scene scene = floorAndCeiling();
     settings_.interleave = 3;
     settings_.interleavePhase = 4;
-    Renderer renderer(device(), scene, settings_);
+    Renderer renderer(device(), scene, settings_, pipelines());
     for (const uint32_t n : {1u, 3u}) {
         settings_.interleave = n;
         renderer.restart(settings_);
@@ -79,7 +79,7 @@ TEST_F(ShowRays, DrawnOnesAreAsManyAsAskedForAndDarknessNeedsNone) {
 TEST_F(ShowRays, LongListsAreCountedInStretches) {
     settings_.vplCount = 20000;
     const Scene scene = floorAndCeiling();
-    Renderer renderer(device(), scene, settings_);
+    Renderer renderer(device(), scene, settings_, pipelines());
     renderer.keepVpls();
     renderer.renderFrame();
     uint32_t expected = 0;

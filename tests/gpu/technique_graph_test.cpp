@@ -17,7 +17,7 @@ std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int b
     settings.clamp = clamp;
     settings.interleave = interleave;
     settings.filter = interleave > 1 ? Filter::Atrous : Filter::Off;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepDisplay();
     return renderer.dumpGraph().text;
 }
@@ -34,7 +34,7 @@ TEST_F(TechniqueGraph, DeferredAndTemporal) {
     RenderSettings settings = plainSettings(64, 48);
     settings.vplCount = 16;
     settings.temporal = true;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepDisplay();
     renderer.renderFrame();
     Camera camera = scene.cameras.front();

@@ -59,7 +59,7 @@ double rootMeanSquare(const Image& a, const Image& b) {
 TEST_F(Temporal, WithoutMovementThePictureIsAsItWas) {
     const Scene scene = sphereInBox();
     const RenderSettings settings = temporalSettings(32, 24);
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     std::vector<Image> pictures;
     for (int frame = 0; frame < 3; ++frame) {
         renderer.renderFrame();
@@ -78,7 +78,7 @@ TEST_F(Temporal, AMovingCameraSeesHalfTheError) {
     RenderSettings settings = temporalSettings(64, 48);
     settings.castShadows = true;
     settings.clamp = ClampMode::Compensate;  // or a few VPLs near walls would be all of the error
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     glide(renderer, scene.cameras.front(), 8);
     const Image shown = renderer.radiance();
 
@@ -103,7 +103,7 @@ TEST_F(Temporal, WhatComesToRestEndsAsThePictureWithout) {
     atRest.width = 24;
     atRest.height = 18;
     atRest.jitter = true;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     glide(renderer, scene.cameras.front(), 12);
     std::vector<Image> first;
     std::vector<Image> last;
@@ -141,7 +141,7 @@ TEST_F(Temporal, WhatWasHiddenShowsNothingOfWhatHidIt) {
     const Camera before = scene.cameras.front();
     Camera after = before;
     after.origin.x = 0.12f;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     for (int frame = 0; frame < 5; ++frame) renderer.renderFrame();
     renderer.lookThrough(after);
     renderer.renderFrame();
@@ -190,7 +190,7 @@ TEST_F(Temporal, WhatMovesLeavesNoTrail) {
     Scene scene = cardInRoom();
     RenderSettings settings = pointLit(64, 48);
     settings.castShadows = true;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     for (int frame = 0; frame < 5; ++frame) renderer.renderFrame();
     Image shown;
     for (int step = 1; step <= 3; ++step) {
@@ -215,7 +215,7 @@ TEST_F(Temporal, WhatMovesLeavesNoTrail) {
 
 TEST_F(Temporal, LightsThatGoOutLeaveNoLight) {
     Scene scene = cardInRoom();
-    Renderer renderer(device(), scene, pointLit(32, 24));
+    Renderer renderer(device(), scene, pointLit(32, 24), pipelines());
     glide(renderer, scene.cameras.front(), 5);
     EXPECT_GT(meanOf(renderer.radiance()), 0.0);
     scene.lights.clear();
@@ -227,7 +227,7 @@ TEST_F(Temporal, LightsThatGoOutLeaveNoLight) {
 TEST_F(Temporal, TheSameViewsGiveTheSameBytes) {
     const Scene scene = sphereInBox();
     const RenderSettings settings = temporalSettings(32, 24);
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     std::vector<Image> pictures;
     for (int run = 0; run < 2; ++run) {
         renderer.lookThrough(scene.cameras.front());
@@ -242,7 +242,7 @@ TEST_F(Temporal, ForwardShadingKnowsNoSurfaces) {
     const Scene scene = sphereInBox();
     RenderSettings settings = temporalSettings(8, 6);
     settings.technique = Technique::Forward;
-    EXPECT_THROW(Renderer(device(), scene, settings), Error);
+    EXPECT_THROW(Renderer(device(), scene, settings, pipelines()), Error);
 }
 
 }  // namespace

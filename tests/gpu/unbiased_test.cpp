@@ -95,7 +95,7 @@ TEST_P(Unbiased, CompensatedWithMovingSamples) {
 
 TEST_P(Unbiased, TheBoundTakesMoreThanATenthOfThatLight) {
     const Scene scene = GetParam().scene();
-    Renderer renderer(device(), scene, movingSettings(GetParam()));
+    Renderer renderer(device(), scene, movingSettings(GetParam()), pipelines());
     renderer.keepCutOff(true);
     renderer.renderFrame();
     EXPECT_GT(meanOf(renderer.cutOff()), 0.1 * meanOf(renderer.radiance()));

@@ -11,7 +11,7 @@ class VisibilityRays : public GpuTest {};
 GBufferImage gbufferBy(GBufferBy by, const Scene& scene) {
     RenderSettings settings = plainSettings(64, 48);
     settings.gbuffer = by;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     return captureGBuffer(renderer, scene);
 }
 
@@ -46,7 +46,7 @@ TEST_F(VisibilityRays, AreTakenWhereTrianglesOutnumberPixels) {
     const auto chosen = [&](uint32_t width, uint32_t height) {
         RenderSettings settings = plainSettings(width, height);
         settings.gbuffer = GBufferBy::Auto;
-        return Renderer(device(), scene, settings).gbufferByRays();
+        return Renderer(device(), scene, settings, pipelines()).gbufferByRays();
     };
     EXPECT_FALSE(chosen(64, 48));
     EXPECT_TRUE(chosen(2, 2));
@@ -57,7 +57,7 @@ TEST_F(VisibilityRays, ThatWereChosenAreNotAskedOfOtherTechniques) {
     RenderSettings settings = plainSettings(2, 2);
     settings.gbuffer = GBufferBy::Auto;
     settings.castShadows = true;
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     ASSERT_TRUE(renderer.gbufferByRays());
     settings = renderer.settings();
     settings.technique = Technique::PathTracer;
@@ -69,10 +69,10 @@ TEST_F(VisibilityRays, AreRefusedWhereDepthIsNeeded) {
     RenderSettings settings = plainSettings(8, 8);
     settings.gbuffer = GBufferBy::Rays;
     settings.show = Show::Vpls;
-    EXPECT_THROW(Renderer(device(), cornellBox(), settings), Error);
+    EXPECT_THROW(Renderer(device(), cornellBox(), settings, pipelines()), Error);
     settings.show = Show::Picture;
     settings.technique = Technique::Forward;
-    EXPECT_THROW(Renderer(device(), cornellBox(), settings), Error);
+    EXPECT_THROW(Renderer(device(), cornellBox(), settings, pipelines()), Error);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST_F(VplResample, ACycleOfInterleavedPicturesIsTheWholeGather) {
             settings.castShadows = shadows;
             const Image whole = render(scene, settings);
             settings.interleave = n;
-            Renderer renderer(device(), scene, settings);
+            Renderer renderer(device(), scene, settings, pipelines());
             std::vector<double> sum(whole.texels.size());
             double largestStep = 0.0;
             for (settings.interleavePhase = 0; settings.interleavePhase < n * n; ++settings.interleavePhase) {

@@ -35,7 +35,7 @@ std::vector<double> blockMeans(const Image& image) {
 }  // namespace
 
 PictureSamples samplePictures(const Scene& scene, RenderSettings settings, Seeds seeds) {
-    Renderer renderer(device(), scene, settings);
+    Renderer renderer(device(), scene, settings, pipelines());
     PictureSamples samples;
     samples.blocks.resize(kBlocks);
     for (uint32_t seed = seeds.first; seed < seeds.first + seeds.count; ++seed) {

@@ -57,7 +57,7 @@ std::vector<double> formFactor(StabilityLab& lab, RawScene raw, double emitterAr
     settings.vplCount = settings.pathCount = 1u << 14;
     settings.bounceCount = 1;
     settings.castShadows = false;
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     renderer.keepVpls();
     const double unit = std::ldexp(1.0, scene.frame.exponent);  // areas below are in the scene's own unit
     std::vector<double> factors;
@@ -209,7 +209,7 @@ Findings energyBalance(StabilityLab& lab) {
     RenderSettings settings = stabilitySettings(1, 1);
     settings.pathCount = 256;
     settings.vplCount = 2048;
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     renderer.keepVpls();
     constexpr uint32_t kDepths = 5;
     std::vector<std::vector<double>> flux(kDepths + 1);

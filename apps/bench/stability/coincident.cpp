@@ -40,7 +40,7 @@ Findings vplOnReceiver(StabilityLab& lab) {
         const Scene scene = normalise(lampAtCamera({0.0, 0.3, 0.4}, place.target));
         RenderSettings settings = stabilitySettings(1, 1);
         settings.bounceCount = 1;
-        Renderer renderer(lab.device(), scene, settings);
+        Renderer renderer(lab.device(), scene, settings, lab.pipelines());
         settings.lighting = Lighting::Local;
         const double local = meanOf(lab.render(renderer, settings));
         settings.lighting = Lighting::Both;
@@ -63,7 +63,7 @@ Findings coincidentVpls(StabilityLab& lab) {
     settings.lighting = Lighting::Global;
     settings.bounceCount = 1;
     settings.castShadows = false;  // a convex room has none
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     settings.vplCount = 1;
     const Image one = lab.render(renderer, settings);
     settings.vplCount = 1000;

@@ -42,7 +42,7 @@ Findings vplCounts(StabilityLab& lab) {
     Findings findings;
     const Scene scene = normalise(closedRoom(0.5, 1.0));
     RenderSettings settings = withClamp(stabilitySettings(8, 8), ClampMode::Compensate);
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     settings.vplCount = 0;
     findings.push_back(meanIs("no VPL", lab.means(renderer, withClamp(settings, ClampMode::Off)), 1.5, 0.03));
     for (const uint32_t count : {1u, 7u, 127u, 129u, 1000u, 4099u}) {

@@ -143,7 +143,7 @@ Findings faultyAlbedos(StabilityLab& lab) {
     // Nothing is absorbed: only the depth limit ends a path, and that is said.
     settings.vplCount = settings.pathCount = 64;
     const Scene white = normalise(room(glm::dvec3(1.0)));
-    Renderer renderer(lab.device(), white, settings);
+    Renderer renderer(lab.device(), white, settings, lab.pipelines());
     findings.push_back(notBlack("albedo 1", lab.render(renderer, settings)));
     findings.push_back(countIs("  its paths cut off", renderer.status().pathsTruncated, 64));
     const Image red = lab.render(normalise(room({1.0, 0.0, 0.0})), settings);

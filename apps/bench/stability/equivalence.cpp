@@ -41,7 +41,7 @@ Findings techniquesAgree(StabilityLab& lab) {
 Findings estimatorsAgree(StabilityLab& lab) {
     const Scene scene = normalise(furnishedRoom());
     RenderSettings settings = stabilitySettings(12, 12);
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     const std::vector<double> reference = lab.means(renderer, withTechnique(settings, Technique::PathTracer), 16, 32);
     Findings findings;
     const auto add = [&](const char* what, const RenderSettings& other, uint32_t frames) {

@@ -25,7 +25,7 @@ RenderSettings furnaceSettings(Technique technique) {
 void addFurnace(StabilityLab& lab, Findings& findings, double albedo) {
     const Scene scene = normalise(closedRoom(albedo, 1.0));
     for (const Technique technique : {Technique::Deferred, Technique::PathTracer}) {
-        Renderer renderer(lab.device(), scene, furnaceSettings(technique));
+        Renderer renderer(lab.device(), scene, furnaceSettings(technique), lab.pipelines());
         const uint32_t frames = technique == Technique::PathTracer ? 4 : 1;
         const int bounces = renderer.settings().bounceCount.value_or(0);
         // The depth limit is part of what is expected: what it cuts off is known.

@@ -17,7 +17,7 @@ void requireFinite(const Image& image) {
 }  // namespace
 
 Image StabilityLab::render(const Scene& scene, const RenderSettings& settings, uint32_t frames) {
-    Renderer renderer(device_, scene, settings);
+    Renderer renderer(device_, scene, settings, &pipelines_);
     return render(renderer, settings, frames);
 }
 
@@ -41,7 +41,7 @@ std::vector<double> StabilityLab::means(Renderer& renderer, RenderSettings setti
 
 std::vector<double> StabilityLab::means(const Scene& scene, const RenderSettings& settings, uint32_t seeds,
                                         uint32_t frames) {
-    Renderer renderer(device_, scene, settings);
+    Renderer renderer(device_, scene, settings, &pipelines_);
     return means(renderer, settings, seeds, frames);
 }
 

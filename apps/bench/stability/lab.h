@@ -10,9 +10,11 @@ namespace manylight {
 
 class StabilityLab {
   public:
-    explicit StabilityLab(gpu::Device& device) : device_(device) {}
+    explicit StabilityLab(gpu::Device& device) : device_(device), pipelines_(device) {}
 
     gpu::Device& device() { return device_; }
+    /// What the renderers of all cases share.
+    gpu::PipelineLibrary* pipelines() { return &pipelines_; }
 
     /// Mean radiance of `frames` frames. Throws Error if a value of it is not finite, told by its bits.
     Image render(const Scene& scene, const RenderSettings& settings, uint32_t frames = 1);
@@ -25,6 +27,7 @@ class StabilityLab {
 
   private:
     gpu::Device& device_;
+    gpu::PipelineLibrary pipelines_;
 };
 
 double meanOf(const Image& image);

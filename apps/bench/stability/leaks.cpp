@@ -12,7 +12,7 @@ namespace {
 void addDarkAndLit(StabilityLab& lab, Findings& findings, const std::string& what, const Scene& scene,
                    uint32_t litCamera, const std::vector<uint32_t>& darkCameras) {
     RenderSettings settings = stabilitySettings(16, 12);
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     struct Way {
         Technique technique;
         ClampMode clamp;

@@ -12,7 +12,7 @@ constexpr Technique kTechniques[] = {Technique::Deferred, Technique::Forward, Te
 
 void addBlack(StabilityLab& lab, Findings& findings, const std::string& what, RawScene raw) {
     const Scene scene = normalise(std::move(raw));
-    Renderer renderer(lab.device(), scene, stabilitySettings(8, 8));
+    Renderer renderer(lab.device(), scene, stabilitySettings(8, 8), lab.pipelines());
     for (const Technique technique : kTechniques)
         findings.push_back(allZero(fmt::format("{}, {}", what, name(technique)),
                                    lab.render(renderer, withTechnique(stabilitySettings(8, 8), technique))));
@@ -64,7 +64,7 @@ Findings cameraInWall(StabilityLab& lab) {
     addCamera(raw, {-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, 1.0);  // in a corner
     addCamera(raw, {0.2, -0.3, -0.1}, {0.5, 0.0, 0.0}, 1.0);   // in a closed solid
     const Scene scene = normalise(std::move(raw));
-    Renderer renderer(lab.device(), scene, stabilitySettings(12, 9));
+    Renderer renderer(lab.device(), scene, stabilitySettings(12, 9), lab.pipelines());
     for (const Technique technique : kTechniques) {
         RenderSettings settings = withTechnique(stabilitySettings(12, 9), technique);
         std::string error;

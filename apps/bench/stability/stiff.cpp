@@ -14,7 +14,7 @@ namespace {
 /// Deferred shading, unclamped and compensated, against the path tracer: none shares its estimators. `frames` of each.
 Findings agreement(StabilityLab& lab, const Scene& scene, RenderSettings settings, uint32_t frames,
                    uint32_t framesOfPathTracer, double largestError) {
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     const std::vector<double> reference =
         lab.means(renderer, withTechnique(settings, Technique::PathTracer), 16, framesOfPathTracer);
     Findings findings;
@@ -61,7 +61,7 @@ void addShiningCorner(StabilityLab& lab, Findings& findings, const std::vector<d
     const Scene scene = normalise(std::move(raw));
     RenderSettings settings = withClamp(stabilitySettings(1, 1), ClampMode::Compensate);
     settings.lightSampleCount = 256;
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     for (uint32_t i = 0; i < distances.size(); ++i) {
         settings.camera = i;
         findings.push_back(meanIs(fmt::format("shining walls at {:.0e}, path tracer", distances[i]),
@@ -78,7 +78,7 @@ Findings cornersAt(StabilityLab& lab, const std::vector<double>& distances, uint
     const Scene scene = cornerRoom(distances);
     RenderSettings settings = stabilitySettings(1, 1);
     settings.lighting = Lighting::Global;
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     Findings findings;
     for (uint32_t i = 0; i < distances.size(); ++i) {
         settings.camera = i;
@@ -147,7 +147,7 @@ Findings unequalLights(StabilityLab& lab) {
 Findings extremeBounds(StabilityLab& lab) {
     const Scene scene = normalise(furnishedRoom());
     RenderSettings settings = stabilitySettings(12, 12);
-    Renderer renderer(lab.device(), scene, settings);
+    Renderer renderer(lab.device(), scene, settings, lab.pipelines());
     const Image unclamped = lab.render(renderer, settings);
     Findings findings;
     RenderSettings bounded = withClamp(settings, ClampMode::Bound);

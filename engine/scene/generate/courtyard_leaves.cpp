@@ -1,19 +1,11 @@
 // Leaves: small two-sided quads that make the bushes and trees, and bring the scene to its triangle count.
 #include "engine/scene/generate/courtyard_parts.h"
-#include "shaders/shared/constants.h"
 
 namespace manylight::courtyard {
 
 namespace {
 
 enum Part : uint64_t { kLeafPart = 300 };
-
-glm::dvec3 uniformDirection(SceneRandom& random) {
-    const double y = random.between(-1.0, 1.0);
-    const double angle = 2.0 * double{shared::kPi} * random.unit();
-    const double r = std::sqrt(1.0 - y * y);
-    return {r * std::cos(angle), y, r * std::sin(angle)};
-}
 
 /// A rhombus twice as long as it is wide, lying roughly in the surface of the crown.
 void addLeaf(const Site& site, const LeafCloud& cloud, double halfWidth, SceneRandom& random) {
@@ -24,7 +16,7 @@ void addLeaf(const Site& site, const LeafCloud& cloud, double halfWidth, SceneRa
     const glm::dvec3 helper = std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(helper, normal));
     const glm::dvec3 v = glm::cross(normal, u);
-    const double turn = 2.0 * double{shared::kPi} * random.unit();
+    const double turn = uniformAngle(random);
     const glm::dvec3 width = halfWidth * (std::cos(turn) * u + std::sin(turn) * v);
     const glm::dvec3 length = 2.0 * halfWidth * (std::cos(turn) * v - std::sin(turn) * u);
     const bool isFlower = random.unit() < cloud.flowerShare;

@@ -6,7 +6,6 @@
 #include "engine/scene/generate/gltf_text.h"
 #include "engine/scene/generate/random.h"
 #include "engine/scene/generate/shapes.h"
-#include "shaders/shared/constants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +17,6 @@ namespace {
 constexpr double kTreeSpacing = 3.4;  // metres, on average
 constexpr double kLampSpacing = 9.0;
 constexpr glm::dvec3 kLampRadiance{900.0, 650.0, 330.0};
-
-double angle(SceneRandom& random) { return 2.0 * double{shared::kPi} * random.unit(); }
-
-glm::dvec3 uniformDirection(SceneRandom& random) {
-    const double y = random.between(-1.0, 1.0);
-    const double around = angle(random);
-    const double r = std::sqrt(1.0 - y * y);
-    return {r * std::cos(around), y, r * std::sin(around)};
-}
 
 /// A rhombus in a crown of the given half height and radius, at height `middle`.
 void addLeaf(Mesh& mesh, uint32_t material, double middle, const glm::dvec3& radii, double halfWidth,
@@ -83,8 +73,8 @@ void plantTrees(GltfText& gltf, const std::vector<size_t>& kinds, uint64_t count
         const double width = random.between(0.8, 1.25);
         // Some lean to one side, and every fifth is a mirror image.
         const glm::dvec3 scale(i % 5 == 0 ? -width : width, width * random.between(0.85, 1.3), width);
-        addGltfNode(gltf, kinds[random.below(static_cast<uint32_t>(kinds.size()))], turned({x, 0, z}, angle(random)),
-                    scale);
+        addGltfNode(gltf, kinds[random.below(static_cast<uint32_t>(kinds.size()))],
+                    turned({x, 0, z}, uniformAngle(random)), scale);
     }
 }
 

@@ -1,6 +1,11 @@
 // Pseudo-random numbers for the scene generators: the same on every platform for the same seed.
 #pragma once
 
+#include "shaders/shared/constants.h"
+
+#include <glm/glm.hpp>
+
+#include <cmath>
 #include <cstdint>
 
 namespace manylight {
@@ -24,5 +29,15 @@ class SceneRandom {
   private:
     uint64_t state_;
 };
+
+/// Of a full circle.
+inline double uniformAngle(SceneRandom& random) { return 2.0 * double{shared::kPi} * random.unit(); }
+
+inline glm::dvec3 uniformDirection(SceneRandom& random) {
+    const double y = random.between(-1.0, 1.0);
+    const double around = uniformAngle(random);
+    const double r = std::sqrt(1.0 - y * y);
+    return {r * std::cos(around), y, r * std::sin(around)};
+}
 
 }  // namespace manylight
