@@ -17,6 +17,7 @@ Json toJson(const ErrorRow& row) {
     return {{"frames", row.frames},
             {"seconds", row.seconds},
             {"rmse", toJson(std::optional(row.rmse))},
+            {"rmse_median", row.medianRmse},
             {"rmse_without_worst", toJson(std::optional(row.rmseWithoutWorst))},
             {"relative_mse", toJson(row.relativeMse)},
             {"flip", toJson(row.flip)},
@@ -35,6 +36,7 @@ Json toJson(const ModeSummary& mode) {
             {"slope", toJson(mode.slope)},
             {"slope_without_worst", toJson(mode.slopeWithoutWorst)},
             {"slope_over_frames", toJson(mode.slopeOverFrames)},
+            {"slope_of_medians_over_frames", mode.slopeOfMedians ? Json(*mode.slopeOfMedians) : Json()},
             {"missing_radiance", toJson(std::optional(mode.missing))},
             {"cut_off_radiance", toJson(mode.cutOff)},
             {"rows", rows}};

@@ -63,6 +63,7 @@ ErrorRow makeRow(const Checkpoint& checkpoint, const Truth& truth) {
     row.frames = checkpoint.frames;
     row.seconds = median(checkpoint.seconds);
     row.rmse = estimate(rmse);
+    row.medianRmse = median(rmse);
     row.rmseWithoutWorst = estimate(withoutWorst);
     if (relativeMse.size() == rmse.size()) row.relativeMse = estimate(relativeMse);
     if (flip.size() == rmse.size()) row.flip = estimate(flip);
@@ -104,6 +105,18 @@ std::optional<Estimate> slopeOf(const ModeRun& run, const std::vector<ErrorRow>&
     return estimate(slopes);
 }
 
+/// The median of many draws without a variance falls as fast as most of them do.
+std::optional<double> slopeOfMedians(const std::vector<ErrorRow>& rows) {
+    std::vector<double> places, errors;
+    for (const ErrorRow& row : rows) {
+        if (!row.isMeasurable || !(row.medianRmse > 0.0)) continue;
+        places.push_back(std::log(framesOf(row)));
+        errors.push_back(std::log(row.medianRmse));
+    }
+    const auto line = places.size() < 3 ? std::nullopt : fitLine(places, errors);
+    return line ? std::optional(line->slope) : std::nullopt;
+}
+
 ModeSummary summariseMode(const ModeRun& run, const Truth& truth, Progress& progress) {
     const Image& reference = truth.reference.image;
     ModeSummary summary;
@@ -117,6 +130,7 @@ ModeSummary summariseMode(const ModeRun& run, const Truth& truth, Progress& prog
     summary.slope = slopeOf(run, summary.rows, truth, rmseOf, secondsOf);
     summary.slopeWithoutWorst = slopeOf(run, summary.rows, truth, rmseWithoutWorstOf, secondsOf);
     summary.slopeOverFrames = slopeOf(run, summary.rows, truth, rmseOf, framesOf);
+    summary.slopeOfMedians = slopeOfMedians(summary.rows);
     std::vector<double> missing;
     for (const Image& image : run.checkpoints.back().images) missing.push_back(meanOf(reference) - meanOf(image));
     summary.missing = estimate(missing);

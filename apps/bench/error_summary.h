@@ -11,6 +11,7 @@ struct ErrorRow {
     uint32_t frames = 0;
     double seconds = 0.0;  // median over seeds
     Estimate rmse;
+    double medianRmse = 0.0;    // over seeds: the typical one, also where RMSE has no variance
     Estimate rmseWithoutWorst;  // without the worst 0.1 % of the pixels
     std::optional<Estimate> relativeMse;
     std::optional<Estimate> flip;
@@ -28,6 +29,7 @@ struct ModeSummary {
     std::optional<Estimate> slope;  // of log RMSE over log time, over the measurable rows; three of them at least
     std::optional<Estimate> slopeWithoutWorst;
     std::optional<Estimate> slopeOverFrames;  // the same over log frames: what a busy machine cannot bend
+    std::optional<double> slopeOfMedians;  // of log median RMSE over log frames
     Estimate missing;  // mean radiance of the reference less that of the last row
     std::optional<Estimate> cutOff;
 };

@@ -56,6 +56,8 @@ std::string modeTable(const ModeSummary& mode) {
     };
     text += fmt::format("  slope of log RMSE over log time: {}; without the worst 0.1 %: {}; over log frames: {}\n",
                         slope(mode.slope), slope(mode.slopeWithoutWorst), slope(mode.slopeOverFrames));
+    if (mode.slopeOfMedians)
+        text += fmt::format("  of the medians over seeds, over log frames: {:.3f}\n", *mode.slopeOfMedians);
     text += fmt::format("  mean radiance missing at the end: {:.3e} +- {:.1e}", mode.missing.mean, mode.missing.error);
     if (mode.cutOff)
         text += fmt::format("; cut off by the bound: {:.3e} +- {:.1e}", mode.cutOff->mean, mode.cutOff->error);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace manylight {
 namespace {
@@ -55,6 +56,33 @@ uint64_t fingerprintOf(const ImDrawData& data) {
         hash = addBytes(hash, list.VtxBuffer.Data, static_cast<size_t>(list.VtxBuffer.size_in_bytes()));
     }
     return hash;
+}
+
+std::vector<PixelRect> panelRects(const ImDrawData& data) {
+    const glm::vec2 origin(data.DisplayPos.x, data.DisplayPos.y);
+    const glm::vec2 scale(data.FramebufferScale.x, data.FramebufferScale.y);
+    std::vector<PixelRect> rects;
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        constexpr float kFar = std::numeric_limits<float>::max();
+        glm::vec2 low(kFar);
+        glm::vec2 high(-kFar);
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            const glm::vec2 clipLow(command.ClipRect.x, command.ClipRect.y);
+            const glm::vec2 clipHigh(command.ClipRect.z, command.ClipRect.w);
+            for (uint32_t k = 0; k < command.ElemCount; ++k) {
+                const auto index = command.VtxOffset + list.IdxBuffer[static_cast<int>(command.IdxOffset + k)];
+                const ImVec2& vertex = list.VtxBuffer[static_cast<int>(index)].pos;
+                const glm::vec2 place = glm::clamp(glm::vec2(vertex.x, vertex.y), clipLow, clipHigh);
+                low = glm::min(low, place);
+                high = glm::max(high, place);
+            }
+        }
+        if (high.x > low.x && high.y > low.y)
+            rects.push_back({glm::ivec2(glm::floor((low - origin) * scale)),
+                             glm::ivec2(glm::ceil((high - origin) * scale))});
+    }
+    return rects;
 }
 
 PanelAtlas::PanelAtlas(gpu::Device& device) {

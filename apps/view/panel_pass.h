@@ -1,6 +1,7 @@
 // Dear ImGui's triangles as a pass of the frame graph.
 #pragma once
 
+#include "apps/view_model/window_tiles.h"
 #include "engine/graph/pass_context.h"
 
 struct ImDrawData;
@@ -23,6 +24,9 @@ class PanelAtlas {
 
 /// The same for lists that draw the same.
 uint64_t fingerprintOf(const ImDrawData& data);
+
+/// Pixels that each list draws to, one rectangle a list: a list is a panel.
+std::vector<PixelRect> panelRects(const ImDrawData& data);
 
 /// What one frame of the panels needs on the device; one for each frame in flight.
 class PanelFrame {

@@ -12,7 +12,8 @@
 namespace manylight {
 namespace {
 
-constexpr uint32_t kFullScreen = 3;  // vertices of one large triangle
+constexpr uint32_t kFullScreen = 3;    // vertices of one large triangle
+constexpr uint32_t kTwoTriangles = 6;  // vertices of a rectangle
 
 glm::uvec2 sizeOf(const PhysicalImage& image) { return {image.texture.info().width, image.texture.info().height}; }
 
@@ -95,12 +96,16 @@ FrameGraph Presenter::declare(const Shown& shown, PanelFrame* panels, PhysicalIm
     canvas = draw.write(canvas, Access::ColorWrite, VkClearValue{});
     const shared::WindowPicturePush push{
         sizeOf(picture), sizeOf(other), size,
-        hasOther ? shown.divider * static_cast<float>(size.x) : static_cast<float>(size.x)};
-    draw.execute([push, hasPanels = hasPanels_](PassContext& context) {
-        context.draw({.vertexShader = "window_present.vert",
-                      .fragmentShader = "window_picture.frag",
-                      .specialisation = {hasPanels}},
-                     kFullScreen, push);
+        hasOther ? shown.divider * static_cast<float>(size.x) : static_cast<float>(size.x), glm::vec4(0.0f)};
+    draw.execute([push, tiles = tileWindow(size, panelRects_)](PassContext& context) {
+        for (const WindowTile& tile : tiles) {
+            shared::WindowPicturePush piece = push;
+            piece.tile = {tile.rect.low, tile.rect.high};
+            context.draw({.vertexShader = "window_picture.vert",
+                          .fragmentShader = "window_picture.frag",
+                          .specialisation = {tile.hasPanels}},
+                         kTwoTriangles, piece);
+        }
     });
 
     PassBuilder present = graph.addPass("window_present");
@@ -124,12 +129,14 @@ void Presenter::present(const Shown& shown, const ImDrawData& panels) {
     const auto start = std::chrono::steady_clock::now();
     const uint64_t fingerprint = fingerprintOf(panels);
     const bool isNew = drawnPanels_ != fingerprint;
-    if (isNew) flight.panels.upload(device_, panels);
+    if (isNew) {
+        flight.panels.upload(device_, panels);
+        panelRects_ = panelRects(panels);
+    }
     uploadMilliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const std::optional<uint32_t> index = swapchain_.acquire(flight.available);
     isStale_ = !index.has_value();
     if (isStale_) return;
-    hasPanels_ = panels.TotalIdxCount > 0;
     flight.executor->submit(declare(shown, isNew ? &flight.panels : nullptr, swapchain_.image(*index)),
                             flight.available, swapchain_.isDrawn(*index));
     drawnPanels_ = fingerprint;

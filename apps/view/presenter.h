@@ -72,7 +72,7 @@ class Presenter {
     PhysicalImage canvas_;
     PhysicalImage panelLayer_;             // drawn anew only if it changes
     std::optional<uint64_t> drawnPanels_;  // fingerprint of what is there
-    bool hasPanels_ = false;
+    std::vector<PixelRect> panelRects_;    // where it is not empty
     PhysicalImage nothing_;  // one pixel, for the other picture where there is none
     std::array<Flight, 2> flights_;
     size_t next_ = 0;

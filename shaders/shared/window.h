@@ -9,6 +9,7 @@ struct WindowPicturePush {
     uvec2 otherSize;  // of what is shown beyond the divider
     uvec2 canvas;     // of the window; both pictures fill it
     float divider;    // pixels from the left; the canvas' width or more: no other picture
+    vec4 tile;        // pixels that are drawn: left, top, right, bottom
 };
 
 struct WindowPanelPush {

@@ -147,7 +147,7 @@ const std::map<std::string, ExpectedStruct> kStructs = {
       sizeof(shared::ShowRaysPush)}},
     {"WindowPicturePush",
      {{MEMBER(WindowPicturePush, size), MEMBER(WindowPicturePush, otherSize), MEMBER(WindowPicturePush, canvas),
-       MEMBER(WindowPicturePush, divider)},
+       MEMBER(WindowPicturePush, divider), MEMBER(WindowPicturePush, tile)},
       sizeof(shared::WindowPicturePush)}},
     {"WindowPanelPush",
      {{MEMBER(WindowPanelPush, clip), MEMBER(WindowPanelPush, origin), MEMBER(WindowPanelPush, scale),
