@@ -7,6 +7,7 @@
 #include "engine/scene/generate/courtyard.h"
 #include "engine/scene/generate/cube.h"
 #include "engine/scene/generate/forest.h"
+#include "engine/scene/generate/showcase.h"
 
 namespace {
 
@@ -17,15 +18,17 @@ constexpr const char* kExamples = R"(Examples:
   manylight-scenes courtyard -o /var/tmp --triangles 260000 --depth 3
   manylight-scenes courtyard -o . --light sun --seed 7
   manylight-scenes forest -o /var/tmp --triangles 5000000
+  manylight-scenes showcase -o /var/tmp
 
 Each scene becomes DIR/NAME.json, a sidecar with camera and lights, and DIR/NAME/NAME.obj with its .mtl; the forest
-DIR/forest.gltf with forest.bin.
+DIR/forest.gltf with forest.bin, the showcase DIR/showcase/showcase.gltf with its textures and environment map.
 Exit status: 0 success, 1 a file cannot be written, 2 wrong usage.)";
 
 struct Options {
     std::string folder = ".";
     CourtyardParameters courtyard;
     ForestParameters forest;
+    ShowcaseParameters showcase;
     std::string light = "point";
 };
 
@@ -64,6 +67,16 @@ void addForestOptions(CLI::App& command, ForestParameters& forest) {
     command.add_option("--seed", forest.seed, "Seed of the arrangement")->capture_default_str()->type_name("S");
 }
 
+void addShowcaseOptions(CLI::App& command, ShowcaseParameters& showcase) {
+    command.add_option("--seed", showcase.seed, "Seed of wood, books and leaves")
+        ->capture_default_str()
+        ->type_name("S");
+}
+
+void print(const std::vector<std::filesystem::path>& written) {
+    for (const std::filesystem::path& path : written) fmt::print("{}\n", path.string());
+}
+
 int run(int argc, char** argv) {
     Options options;
     CLI::App app("Writes the scenes that Manylight generates itself.", "manylight-scenes");
@@ -77,6 +90,9 @@ int run(int argc, char** argv) {
     const CLI::App* forest =
         addSceneCommand(app, options, "forest", "A wood at night: a few kinds of trees, repeated by instances");
     addForestOptions(*app.get_subcommand("forest"), options.forest);
+    const CLI::App* showcase =
+        addSceneCommand(app, options, "showcase", "A room at dusk that needs everything the engine can leave out");
+    addShowcaseOptions(*app.get_subcommand("showcase"), options.showcase);
 
     try {
         app.parse(argc, argv);
@@ -89,15 +105,20 @@ int run(int argc, char** argv) {
 
     if (forest->parsed()) {
         const ForestFiles files = writeForest(options.forest, options.folder);
-        for (const std::filesystem::path& path : files.written) fmt::print("{}\n", path.string());
+        print(files.written);
         fmt::print("about {} triangles, {} of them different\n", files.trianglesShown, files.trianglesStored);
+        return 0;
+    }
+    if (showcase->parsed()) {
+        const ShowcaseFiles files = writeShowcase(options.showcase, options.folder);
+        print(files.written);
+        fmt::print("{} triangles\n", files.trianglesShown);
         return 0;
     }
     const GeneratedScene scene = cornellBox->parsed() ? generateCornellBox()
                                  : cube->parsed()     ? generateCube()
                                                       : generateCourtyard(options.courtyard);
-    for (const std::filesystem::path& path : writeGeneratedScene(scene, options.folder))
-        fmt::print("{}\n", path.string());
+    print(writeGeneratedScene(scene, options.folder));
     fmt::print("{} triangles, {} materials\n", triangleCount(scene.mesh), scene.mesh.materials.size());
     return 0;
 }

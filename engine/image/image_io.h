@@ -46,6 +46,9 @@ void writePng(const std::filesystem::path& path, const Image& image);
 
 /// `rgba` holds width * height display-encoded texels; written as RGB without further conversion.
 void writePng8(const std::filesystem::path& path, uint32_t width, uint32_t height, const std::vector<uint8_t>& rgba);
+/// The same with its alpha channel.
+void writePngRgba8(const std::filesystem::path& path, uint32_t width, uint32_t height,
+                   const std::vector<uint8_t>& rgba);
 
 /// 8-bit RGBA texels of a PNG, JPEG, TGA or BMP held in memory or on disk, as stored (no colour conversion).
 struct EncodedImage {

@@ -32,10 +32,11 @@ void appendBytes(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<size_t>(size));
 }
 
-void writeRgb8(const std::filesystem::path& path, uint32_t width, uint32_t height, const std::vector<Rgb8>& texels) {
+void writeBytes(const std::filesystem::path& path, uint32_t width, uint32_t height, uint32_t channels,
+                const void* texels) {
     std::string bytes;
     const int written = stbi_write_png_to_func(appendBytes, &bytes, static_cast<int>(width), static_cast<int>(height),
-                                               3, texels.data(), static_cast<int>(width * sizeof(Rgb8)));
+                                               static_cast<int>(channels), texels, static_cast<int>(width * channels));
     if (!written) fail("{}: cannot encode {} x {} pixels as PNG", path.string(), width, height);
     writeTextFile(path, bytes);
 }
@@ -50,14 +51,20 @@ void writePng(const std::filesystem::path& path, const Image& image) {
     for (size_t i = 0; i < encoded.size(); ++i)
         encoded[i] = encodeTexel(&image.texels[i * image.channels], image.channels);
 
-    writeRgb8(path, image.width, image.height, encoded);
+    writeBytes(path, image.width, image.height, 3, encoded.data());
 }
 
 void writePng8(const std::filesystem::path& path, uint32_t width, uint32_t height, const std::vector<uint8_t>& rgba) {
     MANYLIGHT_CHECK(rgba.size() == size_t{width} * height * 4, "{}", path.string());
     std::vector<Rgb8> encoded(size_t{width} * height);
     for (size_t i = 0; i < encoded.size(); ++i) encoded[i] = {rgba[i * 4], rgba[i * 4 + 1], rgba[i * 4 + 2]};
-    writeRgb8(path, width, height, encoded);
+    writeBytes(path, width, height, 3, encoded.data());
+}
+
+void writePngRgba8(const std::filesystem::path& path, uint32_t width, uint32_t height,
+                   const std::vector<uint8_t>& rgba) {
+    MANYLIGHT_CHECK(rgba.size() == size_t{width} * height * 4, "{}", path.string());
+    writeBytes(path, width, height, 4, rgba.data());
 }
 
 }  // namespace manylight

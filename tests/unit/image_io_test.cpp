@@ -217,5 +217,16 @@ TEST_F(ImageIoTest, UnknownImagesAreErrors) {
                 AllOf(HasSubstr("text.png"), HasSubstr("expected PNG, JPEG, TGA or BMP")));
 }
 
+TEST_F(ImageIoTest, PngsKeepTheirAlphaChannel) {
+    const std::vector<uint8_t> rgba{0, 1, 2, 0, 255, 254, 253, 128, 10, 20, 30, 255,
+                                    7, 7, 7, 1, 90,  0,   9,   64,  3,  2,  1,  200};
+    writePngRgba8(folder_ / "a.png", 3, 2, rgba);
+    const EncodedImage back = readImage8(folder_ / "a.png");
+    EXPECT_EQ(back.width, 3u);
+    EXPECT_EQ(back.height, 2u);
+    EXPECT_EQ(back.rgba, rgba);
+    EXPECT_EQ(fileCount(), 1u);
+}
+
 }  // namespace
 }  // namespace manylight

@@ -1,6 +1,5 @@
 #include "engine/scene/generate/forest.h"
 
-#include "engine/core/error.h"
 #include "engine/core/file.h"
 #include "engine/scene/generate/generated_scene.h"
 #include "engine/scene/generate/gltf_text.h"
@@ -9,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 namespace manylight {
 namespace {
@@ -120,9 +118,7 @@ ForestFiles writeForest(const ForestParameters& parameters, const std::filesyste
     addGltfNode(gltf, addGltfMesh(gltf, ground(1.2 * half), "ground"), {}, glm::dvec3(1.0));
     files.trianglesShown = count * parameters.treeTriangles;
 
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) fail("{}: cannot create folder: {}", folder.string(), error.message());
+    createSceneFolder(folder);
     gltf.json["buffers"] = {{{"byteLength", gltf.bytes.size()}, {"uri", "forest.bin"}}};
     const auto write = [&](const char* name, const std::string& text) {
         writeTextFile(folder / name, text);

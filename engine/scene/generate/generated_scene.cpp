@@ -38,12 +38,6 @@ std::string entryText(const Json& value) {
     return fmt::format("[\n{}\n  ]", fmt::join(lines, ",\n"));
 }
 
-void createFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) fail("{}: cannot create folder: {}", folder.string(), error.message());
-}
-
 }  // namespace
 
 std::string objText(const GeneratedScene& scene) {
@@ -93,7 +87,7 @@ std::string sidecarText(const GeneratedScene& scene) {
 
 std::vector<fs::path> writeGeneratedScene(const GeneratedScene& scene, const fs::path& folder) {
     const fs::path meshFolder = folder / scene.name;
-    createFolder(meshFolder);
+    createSceneFolder(meshFolder);
     std::vector<fs::path> written;
     const auto write = [&](const fs::path& path, const std::string& text) {
         writeTextFile(path, text);
@@ -103,6 +97,12 @@ std::vector<fs::path> writeGeneratedScene(const GeneratedScene& scene, const fs:
     write(meshFolder / (scene.name + ".obj"), objText(scene));
     write(folder / (scene.name + ".json"), sidecarText(scene));
     return written;
+}
+
+void createSceneFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) fail("{}: cannot create folder: {}", folder.string(), error.message());
 }
 
 Json toJson(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }

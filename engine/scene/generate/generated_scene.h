@@ -27,6 +27,9 @@ std::string sidecarText(const GeneratedScene& scene);
 std::vector<std::filesystem::path> writeGeneratedScene(const GeneratedScene& scene,
                                                        const std::filesystem::path& folder);
 
+/// With the folders above it. Throws Error if that is impossible.
+void createSceneFolder(const std::filesystem::path& folder);
+
 /// An array of three numbers for a sidecar.
 Json toJson(const glm::dvec3& v);
 

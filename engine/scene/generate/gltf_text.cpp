@@ -8,19 +8,9 @@
 namespace manylight {
 namespace {
 
-constexpr int kFloat = 5126;
-constexpr int kUnsignedInt = 5125;
-
 template <typename T>
-size_t addAccessor(GltfText& gltf, const std::vector<T>& values, int componentType, const char* type) {
-    const size_t size = values.size() * sizeof(T);
-    gltf.json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", gltf.bytes.size()}, {"byteLength", size}});
-    gltf.bytes.append(reinterpret_cast<const char*>(values.data()), size);
-    gltf.json["accessors"].push_back({{"bufferView", gltf.json["bufferViews"].size() - 1},
-                                      {"componentType", componentType},
-                                      {"count", values.size()},
-                                      {"type", type}});
-    return gltf.json["accessors"].size() - 1;
+size_t addNumbers(GltfText& gltf, const std::vector<T>& values, GltfNumber number, const char* type) {
+    return addGltfAccessor(gltf, values.data(), values.size() * sizeof(T), values.size(), number, type);
 }
 
 Json materialOf(const MeshMaterial& material) {
@@ -53,10 +43,21 @@ std::vector<uint32_t> cornersOf(const Mesh& mesh, uint32_t material) {
 
 }  // namespace
 
+size_t addGltfAccessor(GltfText& gltf, const void* numbers, size_t byteCount, size_t elementCount, GltfNumber number,
+                       const char* type) {
+    gltf.json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", gltf.bytes.size()}, {"byteLength", byteCount}});
+    gltf.bytes.append(static_cast<const char*>(numbers), byteCount);
+    gltf.json["accessors"].push_back({{"bufferView", gltf.json["bufferViews"].size() - 1},
+                                      {"componentType", number},
+                                      {"count", elementCount},
+                                      {"type", type}});
+    return gltf.json["accessors"].size() - 1;
+}
+
 size_t addGltfMesh(GltfText& gltf, const Mesh& mesh, const std::string& name) {
     std::vector<glm::vec3> positions;
     for (const glm::dvec3& p : mesh.positions) positions.emplace_back(p);
-    const size_t accessor = addAccessor(gltf, positions, kFloat, "VEC3");
+    const size_t accessor = addNumbers(gltf, positions, GltfNumber::Float, "VEC3");
     glm::vec3 low = positions.front();
     glm::vec3 high = low;
     for (const glm::vec3& p : positions) {
@@ -70,7 +71,7 @@ size_t addGltfMesh(GltfText& gltf, const Mesh& mesh, const std::string& name) {
         const std::vector<uint32_t> corners = cornersOf(mesh, m);
         if (corners.empty()) continue;
         primitives.push_back({{"attributes", {{"POSITION", accessor}}},
-                              {"indices", addAccessor(gltf, corners, kUnsignedInt, "SCALAR")},
+                              {"indices", addNumbers(gltf, corners, GltfNumber::UnsignedInt, "SCALAR")},
                               {"material", gltf.json["materials"].size()}});
         gltf.json["materials"].push_back(materialOf(mesh.materials[m]));
     }

@@ -21,6 +21,12 @@ struct GltfText {
     std::string bytes;
 };
 
+enum class GltfNumber : int { UnsignedInt = 5125, Float = 5126 };
+
+/// Adds numbers of four bytes each to the buffer, in elements of a `type` such as VEC3. Returns the accessor's index.
+size_t addGltfAccessor(GltfText& gltf, const void* numbers, size_t byteCount, size_t elementCount, GltfNumber number,
+                       const char* type);
+
 /// Adds a mesh and its materials; faces are flat. Returns its index.
 size_t addGltfMesh(GltfText& gltf, const Mesh& mesh, const std::string& name);
 
