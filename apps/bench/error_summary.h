@@ -29,8 +29,8 @@ struct ModeSummary {
     std::optional<Estimate> slope;  // of log RMSE over log time, over the measurable rows; three of them at least
     std::optional<Estimate> slopeWithoutWorst;
     std::optional<Estimate> slopeOverFrames;  // the same over log frames: what a busy machine cannot bend
-    std::optional<double> slopeOfMedians;  // of log median RMSE over log frames
-    Estimate missing;  // mean radiance of the reference less that of the last row
+    std::optional<double> slopeOfMedians;     // of log median RMSE over log frames
+    Estimate missing;                         // mean radiance of the reference less that of the last row
     std::optional<Estimate> cutOff;
 };
 

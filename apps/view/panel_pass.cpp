@@ -79,8 +79,8 @@ std::vector<PixelRect> panelRects(const ImDrawData& data) {
             }
         }
         if (high.x > low.x && high.y > low.y)
-            rects.push_back({glm::ivec2(glm::floor((low - origin) * scale)),
-                             glm::ivec2(glm::ceil((high - origin) * scale))});
+            rects.push_back(
+                {glm::ivec2(glm::floor((low - origin) * scale)), glm::ivec2(glm::ceil((high - origin) * scale))});
     }
     return rects;
 }

@@ -73,7 +73,7 @@ class Presenter {
     PhysicalImage panelLayer_;             // drawn anew only if it changes
     std::optional<uint64_t> drawnPanels_;  // fingerprint of what is there
     std::vector<PixelRect> panelRects_;    // where it is not empty
-    PhysicalImage nothing_;  // one pixel, for the other picture where there is none
+    PhysicalImage nothing_;                // one pixel, for the other picture where there is none
     std::array<Flight, 2> flights_;
     size_t next_ = 0;
     bool isStale_ = false;  // the swapchain does not fit the window any more

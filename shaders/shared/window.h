@@ -13,11 +13,11 @@ struct WindowPicturePush {
 };
 
 struct WindowPanelPush {
-    vec4 clip;  // pixels: left, top, right, bottom
-    vec2 origin;    // of the vertices' coordinates
-    vec2 scale;     // pixels per unit of them
-    uvec2 canvas;   // pixels
-    uvec2 atlas;    // texels
+    vec4 clip;     // pixels: left, top, right, bottom
+    vec2 origin;   // of the vertices' coordinates
+    vec2 scale;    // pixels per unit of them
+    uvec2 canvas;  // pixels
+    uvec2 atlas;   // texels
     uint firstIndex;
 };
 
