@@ -9,7 +9,19 @@ namespace manylight::test {
 namespace {
 
 using ::testing::HasSubstr;
-using ViewerWindow = ViewerTest;
+class ViewerWindow : public ViewerTest {
+  protected:
+    /// The last column and the last row in which two screenshots of one size differ below row `top`; -1 if they do not.
+    glm::ivec2 lastDifferent(const char* one, const char* other, uint32_t top) const {
+        const EncodedImage a = imageOf(one);
+        const EncodedImage b = imageOf(other);
+        EXPECT_EQ(a.rgba.size(), b.rgba.size());
+        glm::ivec2 last(-1);
+        for (size_t i = size_t{4} * a.width * top; i < std::min(a.rgba.size(), b.rgba.size()); ++i)
+            if (a.rgba[i] != b.rgba[i]) last = glm::max(last, glm::ivec2(i / 4 % a.width, i / 4 / a.width));
+        return last;
+    }
+};
 
 TEST_F(ViewerWindow, FollowsItsSizeAndShowsItsPanels) {
     view(
@@ -23,6 +35,16 @@ TEST_F(ViewerWindow, FollowsItsSizeAndShowsItsPanels) {
     EXPECT_EQ(jsonOf("large.json")["settings"]["size"], "130x70");
     EXPECT_EQ(imageOf("small.png").width, 64u);
     EXPECT_GT(largestDifference(imageOf("panels.png"), imageOf("plain.png")), 50);
+}
+
+TEST_F(ViewerWindow, PanelsAreShownToTheirEdges) {
+    view("resize 512 384\nset panel on\nframes 1\nscreenshot panels.png\nset panel off\nframes 1\nscreenshot plain.png",
+         "--vpls 4");
+    // Below the title of "Times" there are the settings alone: 300 columns from 8 on, and 0.85 of the rows. The border
+    // shows.
+    const glm::ivec2 last = lastDifferent("panels.png", "plain.png", 64);
+    EXPECT_NEAR(last.x, 8 + 300 - 1, 1);
+    EXPECT_NEAR(last.y, 8 + 0.85 * 384 - 1, 1);
 }
 
 TEST_F(ViewerWindow, KeepsTheSceneIfAnotherIsBroken) {
