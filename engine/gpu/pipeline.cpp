@@ -168,6 +168,14 @@ VkPipelineLayout PipelineLibrary::layoutFor(const std::vector<BindingLayout>& bi
     return layout.pipeline;
 }
 
+size_t PipelineLibrary::differenceFrom(const PipelineLibrary& other) const {
+    const auto missing = [](const auto& from, const auto& in) {
+        return std::ranges::count_if(from, [&](const auto& entry) { return !in.contains(entry.first); });
+    };
+    return static_cast<size_t>(missing(compute_, other.compute_) + missing(other.compute_, compute_) +
+                               missing(graphics_, other.graphics_) + missing(other.graphics_, graphics_));
+}
+
 VkShaderModule PipelineLibrary::moduleFor(const std::string& shader) {
     const std::lock_guard lock(mutex_);
     VkShaderModule& module = modules_[shader];

@@ -20,8 +20,8 @@ struct BindingLayout {
     auto operator<=>(const BindingLayout&) const = default;
 };
 
-/// Value i specialises constant_id i, unless it is kAsInShader; i is below those of shaders/shared/workgroups.h. Floats go
-/// through std::bit_cast.
+/// Value i specialises constant_id i, unless it is kAsInShader; i is below those of shaders/shared/workgroups.h. Floats
+/// go through std::bit_cast.
 using Specialisation = std::vector<uint32_t>;
 inline constexpr uint32_t kAsInShader = 0xfffffffeu;
 
@@ -78,6 +78,8 @@ class PipelineLibrary {
     /// idle. If the driver refuses it, the Error comes before anything has changed.
     void replaceShader(const std::string& shader, const std::vector<uint32_t>& words);
     size_t size() const { return compute_.size() + graphics_.size(); }
+    /// Of both together: those that one has and the other has not. No thread may be asking for pipelines meanwhile.
+    size_t differenceFrom(const PipelineLibrary& other) const;
 
   private:
     Pipeline makeCompute(const ComputeKey& key);

@@ -224,10 +224,12 @@ ScenePlan planScene(const Scene& scene, bool everything, const std::string& keep
     const bool environment = hasMap || std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
                                  return light.type == LightType::Constant;
                              });
-    plan.areaLights = decide(plan, kept, emissive || environment, "samples of area lights",
-                             emissive      ? "there are emissive triangles"
-                             : environment ? "there is an environment"
-                                           : "no emissive triangle and no environment");
+    plan.areaLights = emissive || environment;
+    plan.decisions.push_back({"samples of area lights", !plan.areaLights,
+                              emissive      ? "there are emissive triangles"
+                              : environment ? "there is an environment"
+                                            : "no emissive triangle and no environment",
+                              0, false});
 
     // Nothing to trace is nothing to trace: --plan off cannot bring light into a scene without any.
     const bool paths = !scene.triangles.empty() && (emissive || hasMap || !scene.lights.empty());

@@ -57,10 +57,19 @@ TEST_F(PlanBench, WhatIsLeftOutCostsTimeOrMemoryAndDoesNotShow) {
     EXPECT_GE(bytes(1), bytes(0) + colourBytes - 16);  // an empty buffer has 16 bytes
     EXPECT_EQ(bytes(2), bytes(0));
     EXPECT_GT(bytes(3), bytes(1));
+    const auto unlike = [&](size_t i) { return scene["variants"][i]["pipelines_unlike_planned"].get<int>(); };
+    const auto isSameWork = [&](size_t i) { return scene["variants"][i]["same_work"].get<bool>(); };
+    EXPECT_EQ(unlike(2), 0);
+    EXPECT_TRUE(isSameWork(2));
+    EXPECT_GT(unlike(1), 0);
+    EXPECT_FALSE(isSameWork(1));
+    EXPECT_GT(scene["variants"][3]["passes_unlike_planned"].get<int>(), 0);
+    EXPECT_FALSE(isSameWork(3));
 }
 
 TEST_F(PlanBench, OutputsThatAllAreAskedForAreNotSaved) {
-    ASSERT_EQ(run(cube_ + " --size 24x18 --vpls 8 --frames 2 --decisions 'variance of pixels' --all-outputs --json plan.json"),
+    ASSERT_EQ(run(cube_ +
+                  " --size 24x18 --vpls 8 --frames 2 --decisions 'variance of pixels' --all-outputs --json plan.json"),
               0)
         << errors();
     const Json variants = Json::parse(readTextFile(folder_ / "plan.json"))["scenes"].at(0)["variants"];
@@ -68,6 +77,21 @@ TEST_F(PlanBench, OutputsThatAllAreAskedForAreNotSaved) {
     EXPECT_EQ(variants[1]["device_bytes"], variants[0]["device_bytes"]);
     for (const char* pass : {"variance", "vpl_cut_off", "tonemap"})
         EXPECT_TRUE(variants[0]["pass_milliseconds"].contains(pass)) << variants[0]["pass_milliseconds"];
+}
+
+// A scene that needs everything costs no more for being planned: not by the clock, whose noise is larger, but by what
+// runs.
+TEST_F(PlanBench, OfASceneThatNeedsEverythingTheSameWorkIsLeft) {
+    const std::string scenes = fmt::format("cd '{}' && '{}/bin/manylight-scenes' showcase -o . > out 2> err",
+                                           folder_.string(), MANYLIGHT_BINARY_DIR);
+    ASSERT_EQ(std::system(scenes.c_str()), 0) << errors();
+    ASSERT_EQ(run("showcase.json --instances share --all-outputs --size 24x18 --vpls 8 --paths 16 --frames 2 --json "
+                  "plan.json"),
+              0)
+        << errors();
+    const Json variants = Json::parse(readTextFile(folder_ / "plan.json"))["scenes"].at(0)["variants"];
+    EXPECT_EQ(variants.back()["kept"], "--plan off");
+    EXPECT_TRUE(variants.back()["same_work"].get<bool>()) << variants;
 }
 
 TEST_F(PlanBench, WrongInputEndsInOneLine) {

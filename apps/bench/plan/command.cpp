@@ -36,12 +36,14 @@ BenchCommand addPlanCommand(CLI::App& app) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("NAME,...");
+    addInstancesOption(*parser, options->instances);
     parser->add_option("--frames", options->frames, "frames of every variant, in turns")
         ->check(CLI::Range(1, 1 << 20))
         ->capture_default_str();
-    parser->add_flag("--all-outputs", options->wantsAllOutputs,
-                     "ask each for the variance, the light cut off and the displayed picture: what is left out is then up to "
-                     "the scene");
+    parser->add_flag(
+        "--all-outputs", options->wantsAllOutputs,
+        "ask each for the variance, the light cut off and the displayed picture: what is left out is then up to "
+        "the scene");
     parser->add_option("--device", options->device, "index or part of the name of a Vulkan device")->type_name("NAME");
     addTableOptions(*parser, options->files);
     addSettingOptions(*parser, options->settings, {"plan", "plan-keeps", "show", "vpl-dots"});

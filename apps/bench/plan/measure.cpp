@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <numeric>
+#include <random>
 
 namespace manylight {
 namespace {
@@ -71,6 +73,15 @@ PictureDifference differenceOf(const Image& picture, const Image& planned) {
     return result;
 }
 
+size_t passesUnlike(const PlanVariant& a, const PlanVariant& b) {
+    const auto missing = [](const PlanVariant& from, const PlanVariant& in) {
+        return std::ranges::count_if(from.passes, [&](const auto& pass) {
+            return std::ranges::none_of(in.passes, [&](const auto& other) { return other.first == pass.first; });
+        });
+    };
+    return static_cast<size_t>(missing(a, b) + missing(b, a));
+}
+
 void askForAllOutputs(Renderer& renderer) {
     renderer.keepVariance(true);
     if (renderer.settings().technique == Technique::Deferred) renderer.keepCutOff(true);
@@ -91,12 +102,19 @@ std::unique_ptr<Renderer> start(gpu::Device& device, const Scene& scene, const R
         variant.startSeconds = std::chrono::duration<double>(Clock::now() - begin).count();
         variant.deviceBytes = device.allocator().bytesInUse() - before;
     }
-    variant.pipelines = renderer->pipelines().size();
     return renderer;
 }
 
+/// 0 to count - 1 in another order for every turn, so that none always follows the same other.
+std::vector<size_t> shuffled(size_t count, uint32_t turn) {
+    std::vector<size_t> order(count);
+    std::iota(order.begin(), order.end(), size_t{0});
+    std::ranges::shuffle(order, std::mt19937(turn));
+    return order;
+}
+
 PlanScene measureScene(gpu::Device& device, const PlanOptions& options, const std::filesystem::path& file) {
-    const Scene scene = importScene(file);
+    const Scene scene = importScene(file, {.instances = instanceModeFrom(options.instances)});
     printWarnings(scene.warnings);
     RenderSettings settings = resolveSettings(scene, options.settings);
     settings.jitter = options.frames > 1;
@@ -116,10 +134,8 @@ PlanScene measureScene(gpu::Device& device, const PlanOptions& options, const st
         progress.advance();
     }
     for (uint32_t frame = 0; frame < options.frames; ++frame)
-        for (size_t turn = 0; turn < variants.size(); ++turn) {
+        for (const size_t i : shuffled(variants.size(), frame)) {
             if (isInterrupted()) return result;
-            // There and back, so that none always follows the same other.
-            const size_t i = frame % 2 == 0 ? turn : variants.size() - 1 - turn;
             addTimes(variants[i].first, renderers[i]->renderFrame());
             progress.advance();
         }
@@ -127,13 +143,23 @@ PlanScene measureScene(gpu::Device& device, const PlanOptions& options, const st
     result.settings = renderers.front()->settings();
     const Image planned = renderers.front()->radiance();
     for (size_t i = 0; i < variants.size(); ++i) {
-        variants[i].first.difference = differenceOf(renderers[i]->radiance(), planned);
+        PlanVariant& variant = variants[i].first;
+        variant.difference = differenceOf(renderers[i]->radiance(), planned);
+        variant.pipelines = renderers[i]->pipelines().size();
+        variant.pipelinesUnlikePlanned = renderers[i]->pipelines().differenceFrom(renderers.front()->pipelines());
+        variant.passesUnlikePlanned =
+            passesUnlike(variant, result.variants.empty() ? variant : result.variants.front());
         result.variants.push_back(std::move(variants[i].first));
     }
     return result;
 }
 
 }  // namespace
+
+bool isSameWork(const PlanVariant& variant, const PlanVariant& planned) {
+    return variant.pipelinesUnlikePlanned == 0 && variant.passesUnlikePlanned == 0 &&
+           variant.deviceBytes == planned.deviceBytes && variant.difference.sameBytes;
+}
 
 PlanRun measurePlans(const PlanOptions& options) {
     const InterruptGuard guard;

@@ -26,6 +26,9 @@ struct PlanVariant {
     std::vector<std::pair<std::string, std::vector<double>>> passes;  // the same for every pass
     uint64_t deviceBytes = 0;  // all that the renderer allocates on the device and for it on the host
     size_t pipelines = 0;
+    // Pipelines and passes that either has and the other, as planned, has not.
+    size_t pipelinesUnlikePlanned = 0;
+    size_t passesUnlikePlanned = 0;
     double startSeconds = 0.0;  // upload, BVH, pipelines and the first frame, with the caches that a first start leaves
     PictureDifference difference;
 };
@@ -44,6 +47,10 @@ struct PlanRun {
     std::vector<double> calibration;  // milliseconds, before every scene and after the last
     bool isInterrupted = false;
 };
+
+/// The same pipelines, passes and bytes of memory as planned, and the same picture: whatever the times say, no work is
+/// added.
+bool isSameWork(const PlanVariant& variant, const PlanVariant& planned);
 
 /// Imports and measures every scene. Throws Error.
 PlanRun measurePlans(const PlanOptions& options);

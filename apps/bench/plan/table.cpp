@@ -42,16 +42,18 @@ std::string sceneText(const PlanScene& scene) {
     std::string text =
         fmt::format("\n{}: {} triangles, {}x{}, {}, {} VPLs\n", scene.file, scene.triangles, scene.settings.width,
                     scene.settings.height, name(scene.settings.technique), scene.settings.vplCount);
-    text += fmt::format("  {:<38}{:>9}{:>24}{:>18}{:>9}{:>7}{:>11}{:>9}  {}\n", "kept though not needed", "ms/frame",
-                        "ratio [95 % certain]", "(5 to 95 %)", "MiB", "ratio", "pipelines", "start s", "picture");
+    text +=
+        fmt::format("  {:<38}{:>9}{:>24}{:>18}{:>9}{:>7}{:>18}{:>9}  {}\n", "kept though not needed", "ms/frame",
+                    "ratio [95 % certain]", "(5 to 95 %)", "MiB", "ratio", "pipelines (other)", "start s", "picture");
     for (const PlanVariant& variant : scene.variants) {
         const Ratio ratio = ratioOf(variant, planned);
-        text += fmt::format("  {:<38}{:>9.2f}{:>8.3f} [{:.3f}, {:.3f}] ({:.3f} .. {:.3f}){:>9.2f}{:>7.3f}{:>11}{:>9.3f}  {}\n",
-                            variant.name, median(variant.gpuMilliseconds), ratio.frames.median, ratio.ofMedian.low,
-                            ratio.ofMedian.high, ratio.frames.p5, ratio.frames.p95,
-                            mebibytes(variant.deviceBytes),
-                            static_cast<double>(variant.deviceBytes) / static_cast<double>(planned.deviceBytes),
-                            variant.pipelines, variant.startSeconds, pictureText(variant.difference));
+        text += fmt::format(
+            "  {:<38}{:>9.2f}{:>8.3f} [{:.3f}, {:.3f}] ({:.3f} .. {:.3f}){:>9.2f}{:>7.3f}{:>18}{:>9.3f}  {}{}\n",
+            variant.name, median(variant.gpuMilliseconds), ratio.frames.median, ratio.ofMedian.low, ratio.ofMedian.high,
+            ratio.frames.p5, ratio.frames.p95, mebibytes(variant.deviceBytes),
+            static_cast<double>(variant.deviceBytes) / static_cast<double>(planned.deviceBytes),
+            fmt::format("{} ({})", variant.pipelines, variant.pipelinesUnlikePlanned), variant.startSeconds,
+            pictureText(variant.difference), isSameWork(variant, planned) ? ", same work" : "");
     }
     for (const PlanVariant* variant : {&scene.variants.front(), &scene.variants.back()})
         text += fmt::format("  ms in the passes, {}: {}\n", variant->name, passText(*variant));
@@ -74,6 +76,9 @@ Json toJson(const PlanVariant& variant, const PlanVariant& planned) {
             {"pass_milliseconds", passes},
             {"device_bytes", variant.deviceBytes},
             {"pipelines", variant.pipelines},
+            {"pipelines_unlike_planned", variant.pipelinesUnlikePlanned},
+            {"passes_unlike_planned", variant.passesUnlikePlanned},
+            {"same_work", isSameWork(variant, planned)},
             {"start_seconds", variant.startSeconds},
             {"same_bytes", variant.difference.sameBytes},
             {"relative_difference", variant.difference.relative}};
@@ -94,19 +99,24 @@ std::string planTable(const PlanRun& run) {
         "median,\n"
         "where it lies with 95 % confidence if frames are independent, and how single frames spread. MiB: all that a "
         "renderer\n"
-        "allocates. start: renderer and first frame, with warm caches. picture: mean absolute difference over the mean.\n";
+        "allocates. pipelines: how many, and those that either has and the other, as planned, has not. same work: no "
+        "such "
+        "pipeline\nor pass, the same memory and picture. start: renderer and first frame, with warm caches. picture: "
+        "mean absolute difference over the mean.\n";
     return text;
 }
 
 std::string planCsv(const PlanRun& run) {
     std::string text =
-        "scene,kept,milliseconds,time_ratio,device_bytes,pipelines,start_seconds,same_bytes,relative_difference\n";
+        "scene,kept,milliseconds,time_ratio,device_bytes,pipelines,pipelines_unlike_planned,passes_unlike_planned,"
+        "start_seconds,same_bytes,relative_difference\n";
     for (const PlanScene& scene : run.scenes)
         for (const PlanVariant& variant : scene.variants)
-            text += fmt::format("\"{}\",\"{}\",{:.4f},{:.4f},{},{},{:.4f},{},{:.3e}\n", scene.file, variant.name,
+            text += fmt::format("\"{}\",\"{}\",{:.4f},{:.4f},{},{},{},{},{:.4f},{},{:.3e}\n", scene.file, variant.name,
                                 median(variant.gpuMilliseconds), ratioOf(variant, scene.variants.front()).frames.median,
-                                variant.deviceBytes, variant.pipelines, variant.startSeconds,
-                                variant.difference.sameBytes, variant.difference.relative);
+                                variant.deviceBytes, variant.pipelines, variant.pipelinesUnlikePlanned,
+                                variant.passesUnlikePlanned, variant.startSeconds, variant.difference.sameBytes,
+                                variant.difference.relative);
     return text;
 }
 
