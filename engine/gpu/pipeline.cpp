@@ -29,6 +29,7 @@ struct SpecialisationInfo {
         add(shared::kConstantStackInRegisters, traversal.stackInRegisters);
         add(shared::kConstantNodesAnyHit, traversal.nodesAnyHit);
         add(shared::kConstantNodesClosestHit, traversal.nodesClosestHit);
+        add(shared::kConstantClosestInRegisters, traversal.closestInRegisters);
         info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t), values.data()};
     }
     SpecialisationInfo(const SpecialisationInfo&) = delete;

@@ -1,5 +1,7 @@
 #include "engine/gpu/tuning.h"
 
+#include "shaders/shared/bvh.h"
+
 #include <algorithm>
 
 namespace manylight::gpu {
@@ -43,6 +45,10 @@ const std::vector<Tunable>& tunables() {
          [](Tuning& t) -> uint32_t& { return t.traversal.nodesClosestHit; },
          {8, 4, 12, 16},
          "the same where the nearest triangle is asked for"},
+        {"closest-in-registers",
+         [](Tuning& t) -> uint32_t& { return t.traversal.closestInRegisters; },
+         {1, 0},
+         "where closest-hit queries keep their stack, if the tree is not too deep for registers"},
     };
     return kTunables;
 }
@@ -50,6 +56,11 @@ const std::vector<Tunable>& tunables() {
 uint32_t valueOf(const Tunable& tunable, const Tuning& tuning) {
     Tuning copy = tuning;
     return tunable.of(copy);
+}
+
+TraversalTuning forTreesOfDepth(TraversalTuning tuning, uint32_t depth) {
+    if (depth > shared::kBvhRegisterStackSize + 1) tuning.closestInRegisters = 0;
+    return tuning;
 }
 
 bool fits(const Tuning& tuning, const GroupLimits& limits) {

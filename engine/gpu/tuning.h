@@ -16,6 +16,7 @@ struct TraversalTuning {
     uint32_t stackInRegisters = 1;  // of any-hit queries; 0: in memory
     uint32_t nodesAnyHit = 12;      // that an invocation visits before it tests the triangles of a leaf at the latest
     uint32_t nodesClosestHit = 8;
+    uint32_t closestInRegisters = 1;  // the stack of closest-hit queries, where the tree is not too deep for that
     auto operator<=>(const TraversalTuning&) const = default;
 };
 
@@ -31,6 +32,9 @@ struct Tuning {
     TraversalTuning traversal;
     bool operator==(const Tuning&) const = default;
 };
+
+/// What of it suits the scene: rays through trees with at most so many nodes on their longest way down.
+TraversalTuning forTreesOfDepth(TraversalTuning tuning, uint32_t depth);
 
 /// Of one number in a Tuning: what files and tables call it, and the values it may have, the default first.
 struct Tunable {

@@ -182,12 +182,19 @@ void* GraphExecutor::placeSlot(const PhysicalSlot& slot, const std::string& name
     return buffers_.back().physical.get();
 }
 
+gpu::Tuning GraphExecutor::tuningOfFrame() const {
+    gpu::Tuning tuning = tuning_;
+    tuning.traversal = gpu::forTreesOfDepth(tuning.traversal, treeDepth_);
+    return tuning;
+}
+
 void GraphExecutor::compilePipelines(const FrameGraph& graph, const CompiledGraph& compiled,
                                      const std::vector<void*>& physical) {
+    const gpu::Tuning tuning = tuningOfFrame();
     PipelineKeys keys;
     for (const LivePass& live : compiled.passes) {
         const Pass& pass = graph.passes()[live.pass];
-        PassContext context(graph, pass, pipelines_, tuning_, physical, VK_NULL_HANDLE, &keys);
+        PassContext context(graph, pass, pipelines_, tuning, physical, VK_NULL_HANDLE, &keys);
         if (pass.execute) pass.execute(context);
     }
     std::vector<std::function<void()>> tasks;
@@ -210,7 +217,8 @@ void GraphExecutor::recordPass(const FrameGraph& graph, const LivePass& live, co
     }
     barriers.record(commands_);
 
-    PassContext context(graph, pass, pipelines_, tuning_, physical, commands_, nullptr);
+    const gpu::Tuning tuning = tuningOfFrame();
+    PassContext context(graph, pass, pipelines_, tuning, physical, commands_, nullptr);
     if (hasAttachments(pass)) {
         context.beginRendering();
         pass.execute(context);

@@ -7,6 +7,7 @@
 #include "engine/graph/pass_context.h"
 
 #include <chrono>
+#include <limits>
 #include <memory>
 
 namespace manylight {
@@ -58,6 +59,8 @@ class GraphExecutor {
     /// Of the frames submitted from now on; the default until then. The device must be able to run it: see gpu::fits().
     void setTuning(const gpu::Tuning& tuning) { tuning_ = tuning; }
     const gpu::Tuning& tuning() const { return tuning_; }
+    /// Of the trees that rays go through, in nodes on the longest way down, from now on; until then any.
+    void setTreeDepth(uint32_t depth) { treeDepth_ = depth; }
 
     uint64_t transientBytes() const;
 
@@ -68,6 +71,7 @@ class GraphExecutor {
     void recordPass(const FrameGraph& graph, const LivePass& live, const std::vector<void*>& physical);
     void recordDump(const FrameGraph& graph, const Pass& pass, const std::vector<void*>& physical);
     void storeStates(const FrameGraph& graph, const CompiledGraph& compiled, const std::vector<void*>& physical);
+    gpu::Tuning tuningOfFrame() const;
     void submitCommands(VkSemaphore waitFor, VkSemaphore signal);
     void wait();
     void dropUnused();
@@ -89,6 +93,7 @@ class GraphExecutor {
     gpu::Device& device_;
     gpu::PipelineLibrary& pipelines_;
     gpu::Tuning tuning_;
+    uint32_t treeDepth_ = std::numeric_limits<uint32_t>::max();
     GpuTimers timers_;
     Breadcrumbs breadcrumbs_;
     VkCommandPool commandPool_ = VK_NULL_HANDLE;

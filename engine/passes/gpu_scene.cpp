@@ -202,6 +202,7 @@ GpuScene uploadScene(gpu::Device& device, const Scene& scene, const ScenePlan& p
 
     gpuScene.bvhNodeCount = nodes.size();
     gpuScene.bvhDepth = plan.hardwareRays ? 0 : upper.depth + bvh.depth;
+    gpuScene.treeDepth = bvh.depth;
     gpuScene.geometryBytes = gpuScene.bvhNodes.buffer.size() + gpuScene.triangles.buffer.size() +
                              gpuScene.triangleMaterials.buffer.size() + gpuScene.triangleUvs.buffer.size() +
                              gpuScene.triangleColours.buffer.size() + gpuScene.instances.buffer.size() +

@@ -47,6 +47,7 @@ struct GpuScene {
     Json report() const;  // bytes, bytes per triangle, BVH nodes and depth
     uint64_t bvhNodeCount = 0;
     uint32_t bvhDepth = 0;
+    uint32_t treeDepth = 0;  // of the deepest mesh, or of all triangles where none is shared
 };
 
 /// Uploads through staging and waits. Throws Error if the device cannot hold the scene.

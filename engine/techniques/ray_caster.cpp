@@ -46,6 +46,7 @@ RayCaster::RayCaster(gpu::Device& device, const Scene& scene, const Bvh& bvh, Ra
       status_(makeStatusBuffer(device)) {
     Warnings ignored;  // the default traverses as well
     executor_.setTuning(gpu::tuningOf(device, ignored));
+    executor_.setTreeDepth(gpuScene_.treeDepth);
 }
 
 void RayCaster::load(std::span<const shared::RayQuery> rays) {

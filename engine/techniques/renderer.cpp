@@ -127,6 +127,7 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
       keepsVariance_(plan_.pixelVariance),
       keepsDisplay_(plan_.display) {
     setTuning(gpu::tuningOf(device, warnings_));
+    executor_.setTreeDepth(gpuScene_.treeDepth);
     resolve(settings);
     if (isTemporal()) temporal_.makeRoom(device_, settings_.width, settings_.height);
     makeTargets();
@@ -216,6 +217,7 @@ void Renderer::sceneReplaced(const RenderSettings& settings) {
     const Bvh bvh = buildTimed(scene_, startupTimes_.bvhBuild);
     gpuScene_ = GpuScene{};  // before the new one, for its memory
     gpuScene_ = uploadTimed(device_, scene_, plan_, bvh, startupTimes_.upload);
+    executor_.setTreeDepth(gpuScene_.treeDepth);
     gatherTuner_ = {};
     litArea_.reset();
     forgetHistory();

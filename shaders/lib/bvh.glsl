@@ -16,6 +16,8 @@ layout(set = 0, binding = kBindingTriangles, rgba32ui) readonly uniform uimageBu
 // Whether any-hit queries keep their stack in registers, as SIMD code for CPUs likes it: a store that only some lanes
 // make is a branch for each lane there (10 % of the time for incoherent rays on lavapipe).
 layout(constant_id = kConstantStackInRegisters) const bool kBvhStackInRegisters = true;
+// Likewise closest-hit queries, of trees no deeper than kBvhRegisterStackSize + 1 nodes.
+layout(constant_id = kConstantClosestInRegisters) const bool kBvhClosestInRegisters = false;
 
 // An invocation at a leaf waits until its subgroup's others are at leaves too, but for no more nodes than these.
 layout(constant_id = kConstantNodesAnyHit) const int kMostNodesAny = 12;
@@ -55,10 +57,11 @@ const int kBvhStackWords = kInstanced == 0u ? kBvhStackSize : 2 * kBvhStackSize;
 uint bvhStack[kBvhStackWords];
 int bvhTop = 0;
 
-// The same in registers, the last put aside first.
+// The same in registers, the last put aside first. The fourth four are for closest-hit queries: see kBvhRegisterStackSize.
 uvec4 bvhFirstFour = uvec4(0u);
 uvec4 bvhSecondFour = uvec4(0u);
 uvec4 bvhThirdFour = uvec4(0u);
+uvec4 bvhFourthFour = uvec4(0u);
 
 void beginTraversal(int top) {
     bvhStack[top] = 0u;
@@ -66,6 +69,7 @@ void beginTraversal(int top) {
     bvhFirstFour = uvec4(0u);
     bvhSecondFour = uvec4(0u);
     bvhThirdFour = uvec4(0u);
+    bvhFourthFour = uvec4(0u);
 }
 
 // Puts aside, or takes back the last. Reads and writes without a condition: branches cost SIMD lanes more.
@@ -76,14 +80,17 @@ uint exchangeInMemory(uint siblings, bool pushes, bool pops) {
     return last;
 }
 
-uint exchangeInRegisters(uint siblings, bool pushes, bool pops) {
+uint exchangeInRegisters(uint siblings, bool pushes, bool pops, bool usesFourth) {
     uvec4 a = bvhFirstFour;
     uvec4 b = bvhSecondFour;
     uvec4 c = bvhThirdFour;
+    uvec4 d = usesFourth ? bvhFourthFour : uvec4(0u);
     const uint last = a.x;
     a = pops ? uvec4(a.y, a.z, a.w, b.x) : a;
     b = pops ? uvec4(b.y, b.z, b.w, c.x) : b;
-    c = pops ? uvec4(c.y, c.z, c.w, 0u) : c;
+    c = pops ? uvec4(c.y, c.z, c.w, d.x) : c;
+    d = pops ? uvec4(d.y, d.z, d.w, 0u) : d;
+    bvhFourthFour = pushes ? uvec4(c.w, d.x, d.y, d.z) : d;
     bvhThirdFour = pushes ? uvec4(b.w, c.x, c.y, c.z) : c;
     bvhSecondFour = pushes ? uvec4(a.w, b.x, b.y, b.z) : b;
     bvhFirstFour = pushes ? uvec4(siblings, a.x, a.y, a.z) : a;
@@ -119,7 +126,7 @@ uint nextInSlotOrder(uint children, uint siblings, bool inRegisters) {
     const bool pushes = hasSlots(children) && hasSlots(siblings);
     const bool pops = !hasSlots(children) && !hasSlots(siblings);
     const uint last =
-        inRegisters ? exchangeInRegisters(siblings, pushes, pops) : exchangeInMemory(siblings, pushes, pops);
+        inRegisters ? exchangeInRegisters(siblings, pushes, pops, false) : exchangeInMemory(siblings, pushes, pops);
     return hasSlots(children) ? children : (hasSlots(siblings) ? siblings : last);
 }
 
@@ -171,11 +178,12 @@ Hit nearer(Hit best, TriangleHit hit, uint triangle, float tMax) {
 
 // Where to go on after a visit: the nearest of the inner children that the ray meets, if there is any, or the first of
 // `siblings`. Whose turn it is after that: the other children, the siblings left, or those put aside last.
-uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings) {
+uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings, bool inRegisters) {
     const uint left = hasInner ? siblings : withoutFront(siblings);
     const bool goesDown = hasInner && queueLength(others) != 0u;
     const bool goesUp = !hasInner && queueLength(left) == 0u;
-    const uint last = exchangeInMemory(siblings, goesDown, goesUp);
+    const uint last = inRegisters ? exchangeInRegisters(siblings, goesDown, goesUp, true)
+                                  : exchangeInMemory(siblings, goesDown, goesUp);
     return goesDown ? others : (goesUp ? last : left);
 }
 
@@ -202,7 +210,7 @@ Hit closestHitInTree(TraversalRay ray, bool visitsRoot, Hit best, float tMax, ui
             const NearestFirst children = nearestFirst(visit);
             hasNode = hasInner || queueLength(siblings) != 0u;
             node = hasInner ? children.nearest : queueFront(siblings);
-            siblings = nextInOrderOfDistance(children.others, hasInner, siblings);
+            siblings = nextInOrderOfDistance(children.others, hasInner, siblings, kBvhClosestInRegisters);
             ++count;
             descends = hasNode && !hasSlots(leafSlots) && count < kMostNodesClosest;
         }

@@ -32,6 +32,8 @@ MANYLIGHT_CONSTANT(uint, kBvhWidth, 4u);
 MANYLIGHT_CONSTANT(uint, kBvhMaxLeafSize, 2u);         // a traversal tests two at once, without a loop
 MANYLIGHT_CONSTANT(int, kBvhStackSize, 32);            // more than the depth of any BVH that buildBvh() returns
 MANYLIGHT_CONSTANT(uint, kBvhShortStackSize, 12u);     // enough for visits in the order of slots, see Bvh::putAside
+// Enough for closest-hit queries of a tree with one node more on its longest way down: one group of siblings a node.
+MANYLIGHT_CONSTANT(uint, kBvhRegisterStackSize, 16u);
 MANYLIGHT_CONSTANT(uint, kBvhMaxTriangles, 3u << 23);  // as many give at most 2^24 nodes, as bits 0-23 can tell
 
 MANYLIGHT_CONSTANT(uint, kNoHit, 0xffffffffu);

@@ -3,6 +3,7 @@
 #include "engine/accel/bvh.h"
 #include "engine/accel/embree_reference.h"
 #include "engine/accel/ray_sets.h"
+#include "engine/gpu/tuning.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/bvh_ray.h"
 #include "shaders/shared/instance.h"
@@ -27,6 +28,7 @@ TexelBuffer bvhNodes;
 TexelBuffer bvhTriangles;
 // Specialisation constants in shaders.
 bool kBvhStackInRegisters = true;
+bool kBvhClosestInRegisters = false;
 int kMostNodesAny = 12;
 int kMostNodesClosest = 8;
 uvec4 imageLoad(const TexelBuffer& buffer, int index) {
@@ -66,7 +68,17 @@ class Traversal {
     Traversal(const Traversal&) = delete;
     Traversal& operator=(const Traversal&) = delete;
 
-    shared::Hit closest(const RayQuery& ray) const { return shared::closestHit(ray.origin, ray.direction, ray.tMax); }
+    shared::Hit closest(const RayQuery& ray) const {
+        const auto isSame = [](const shared::Hit& a, const shared::Hit& b) {
+            return a.t == b.t && a.triangle == b.triangle && a.barycentrics == b.barycentrics;
+        };
+        shared::kBvhClosestInRegisters = false;
+        const shared::Hit byMemory = shared::closestHit(ray.origin, ray.direction, ray.tMax);
+        shared::kBvhClosestInRegisters = gpu::forTreesOfDepth({}, bvh_.depth).closestInRegisters == 1;
+        const shared::Hit hit = shared::closestHit(ray.origin, ray.direction, ray.tMax);
+        EXPECT_TRUE(isSame(hit, byMemory));
+        return hit;
+    }
     bool occluded(const RayQuery& ray) const {
         shared::kBvhStackInRegisters = false;
         shared::kMostNodesAny = 4;
@@ -155,19 +167,34 @@ TEST(BvhTraverse, AFewTriangles) {
     }
 }
 
-TEST(BvhTraverse, DeepTreesDoNotOverflowTheStacks) {
-    const test::Comb comb = test::makeComb(60);
-    const Traversal traversal(comb.scene, layoutTree(comb.tree));
-    std::vector<RayQuery> rays = test::randomRays(20000, 13);
+/// Every second ray runs through most boxes of the comb, the others at a triangle.
+std::vector<RayQuery> raysThrough(const test::Comb& comb, uint32_t count) {
+    std::vector<RayQuery> rays = test::randomRays(count, 13);
     for (size_t i = 0; i < rays.size(); ++i) {
-        // Every second ray runs through most boxes, the others at a triangle.
         const glm::vec3& corner = comb.scene.vertices[i % comb.scene.vertices.size()].position;
         const glm::vec3& next = comb.scene.vertices[(i + 1) % comb.scene.vertices.size()].position;
         if (i % 2 == 0) rays[i].origin = glm::vec3(1.0f, 0.3f, 0.1f) * rays[i].origin;
         rays[i].direction = (i % 2 == 0 ? glm::vec3(0.0f) : 0.5f * corner + 0.5f * next) - rays[i].origin;
         rays[i].tMax = 1e10f;
     }
-    expectSameAsBruteForce(traversal, rays);
+    return rays;
+}
+
+TEST(BvhTraverse, DeepTreesDoNotOverflowTheStacks) {
+    const test::Comb comb = test::makeComb(60);
+    expectSameAsBruteForce(Traversal(comb.scene, layoutTree(comb.tree)), raysThrough(comb, 20000));
+}
+
+// Registers are enough for the deepest trees that closest-hit queries are let use them for.
+TEST(BvhTraverse, TreesOfEveryDepth) {
+    uint32_t deepestInRegisters = 0;
+    for (uint32_t levels = 2; levels < 60; levels += 2) {
+        const test::Comb comb = test::makeComb(levels);
+        Bvh bvh = layoutTree(comb.tree);
+        if (gpu::forTreesOfDepth({}, bvh.depth).closestInRegisters == 1) deepestInRegisters = bvh.depth;
+        expectSameAsBruteForce(Traversal(comb.scene, std::move(bvh)), raysThrough(comb, 2000));
+    }
+    EXPECT_EQ(deepestInRegisters, shared::kBvhRegisterStackSize + 1);
 }
 
 TEST(BvhTraverse, QueuesAreInOrderOfDistance) {
