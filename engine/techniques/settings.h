@@ -24,7 +24,7 @@ enum class Lighting : uint8_t {
 };
 
 enum class ClampMode : uint8_t {
-    Off,         // the geometry term as it is: unbiased, with bright spots near VPLs
+    Off,         // the geometry term as it is: unbiased, without a variance: bright spots near VPLs, errors of N^(-1/3)
     Bound,       // cut at bound * N^(2/3) / area: loses energy, vanishing as paths accumulate
     Compensate,  // cut at bound / area, and given back by short paths: unbiased, without the bright spots
 };

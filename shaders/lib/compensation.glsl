@@ -10,8 +10,8 @@
 #include "shaders/lib/vpl_texels.glsl"
 
 // At y few lights are asked: what is cut off is a small part of the picture, and so is the noise in it.
-const uint kLightsAsked = 2u;
-const uint kVplsAsked = 4u;
+const uint kLightsAsked = 1u;
+const uint kVplsAsked = 2u;
 const uint kMostCompensations = 64u;  // one after the other; each needs a surface within its short reach
 const uint kDimensionCompensation = 0x20000u;
 const uint kDimensionsPerCompensation = 8u;

@@ -47,7 +47,8 @@ Reach reachOf(const std::string& tunable) {
     if (tunable == "image-width" || tunable == "image-height")
         return {{Way::Draft}, {"gbuffer", "accumulate", "reconstruct", "remodulate", "background", "tonemap"}};
     if (tunable == "dispatch-parts") return {{Way::Gather, Way::Shadows}, {"vpl_light", "direct_light"}};
-    if (tunable == "nodes-closest-hit") return {{Way::Draft, Way::Paths}, {"vpl_bounce", "path_trace"}};
+    if (tunable == "nodes-closest-hit" || tunable == "closest-in-registers")
+        return {{Way::Draft, Way::Paths}, {"vpl_bounce", "path_trace"}};
     return rays;
 }
 
