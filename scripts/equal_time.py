@@ -2,19 +2,22 @@
 """Error at equal time of Manylight, its path tracer, Mitsuba 3's, and the latter with Open Image Denoise.
 
     python3 -m venv venv && venv/bin/pip install mitsuba numpy pyoidn OpenEXR
-    venv/bin/python scripts/equal_time.py --programs build/release/bin cornell_box.json=reference.exr
+    venv/bin/python scripts/equal_time.py --programs build/release/bin cornell_box.json=reference.exr,1472
 
 Surfaces are Lambertian for all. Each renders 1, 2, 4, ... samples of every pixel until the budget is spent, once before to warm
 up; errors are against the reference, by manylight-compare, without pixels that see something emit or are next to one that
-does. What is denoised pays for that.
+does. What is denoised pays for that. If the reference is by Mitsuba's path tracer, the number of its samples a pixel may follow
+it: its own squared error, that of one sample over their number, is then taken off all squared errors. FLIP cannot be mended so.
 Between those times they are interpolated on logarithmic scales. Building the scene and compiling are not counted. Ends with 77 where
 Mitsuba is missing; without pyoidn the denoised columns are left out.
 """
 
 import argparse
+import itertools
 import json
 import math
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -47,7 +50,7 @@ def parse_arguments():
     parser.add_argument("--programs", type=pathlib.Path, required=True, help="folder of the manylight programs")
     parser.add_argument("--seconds", default="0.5,1,2,4,8", help="times to compare at")
     parser.add_argument("--json", type=pathlib.Path, help="all that was measured")
-    parser.add_argument("scenes", nargs="+", metavar="SCENE=REFERENCE.exr")
+    parser.add_argument("scenes", nargs="+", metavar="SCENE=REFERENCE.exr[,SAMPLES]")
     arguments = parser.parse_args()
     arguments.times = [float(number) for number in arguments.seconds.split(",")]
     return arguments
@@ -134,10 +137,21 @@ def measure_mitsuba(arguments, loaded, measure, scratch, denoises):
     return rows
 
 
+def take_off_reference(modes, samples):
+    """Returns the reference's own RMSE. The first rows are of few samples: beside their error its own is nothing."""
+    own = {}
+    for number in ("rmse", WITHOUT_WORST):
+        of_one = statistics.median(row["frames"] * row[number] ** 2 for row in modes["Mitsuba path"][:5])
+        own[number] = math.sqrt(of_one / samples)
+        for row in itertools.chain(*modes.values()):
+            row[number] = math.sqrt(max(row[number] ** 2 - own[number] ** 2, 0))
+    return own["rmse"]
+
+
 def at(rows, seconds, number):
     """Interpolated in logarithms; None outside of what was measured."""
     for before, after in zip(rows, rows[1:]):
-        if before["seconds"] <= seconds <= after["seconds"]:
+        if before["seconds"] <= seconds <= after["seconds"] and min(before[number], after[number]) > 0:
             share = math.log(seconds / before["seconds"]) / math.log(after["seconds"] / before["seconds"])
             return math.exp((1 - share) * math.log(before[number]) + share * math.log(after[number]))
     return None
@@ -157,6 +171,7 @@ def print_table(title, arguments, modes):
 
 def compare(arguments, argument, scratch):
     path, _, reference = argument.partition("=")
+    reference, _, samples = reference.partition(",")
     path = pathlib.Path(path)
     height, width = mitsuba_scene.read_picture(reference).shape[:2]
     size = [width, height]
@@ -180,7 +195,10 @@ def compare(arguments, argument, scratch):
     if denoise:
         guided = load(depth, aovs="albedo:albedo,normal:sh_normal")
         modes["Mitsuba path, denoised"] = measure_mitsuba(arguments, guided, measure, scratch, True)
-    print_table(f"{path.stem}, {arguments.size}", arguments, modes)
+    title = f"{path.stem}, {arguments.size}"
+    if samples:
+        title += f"; the reference's own RMSE, {take_off_reference(modes, int(samples)):.2g}, is taken off"
+    print_table(title, arguments, modes)
     return {"scene": path.stem, "size": arguments.size, "modes": modes}
 
 
