@@ -202,7 +202,8 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.temporal = parseSwitch(o, v); },
          [](C s) -> Json { return s.temporal; }},
         {{"clamp", "off|bound|compensate",
-          "leave the geometry term as it is (right on average, but without a variance: errors fall slowly), bound it, or also "
+          "leave the geometry term as it is (right on average, but without a variance: errors fall slowly), bound it, "
+          "or also "
           "give back what that takes"},
          [](S& s, T o, T v) { s.clamp = parseName(kClamps, o, v); },
          [](C s) -> Json { return name(s.clamp); }},

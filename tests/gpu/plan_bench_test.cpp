@@ -85,7 +85,8 @@ TEST_F(PlanBench, OfASceneThatNeedsEverythingTheSameWorkIsLeft) {
     const std::string scenes = fmt::format("cd '{}' && '{}/bin/manylight-scenes' showcase -o . > out 2> err",
                                            folder_.string(), MANYLIGHT_BINARY_DIR);
     ASSERT_EQ(std::system(scenes.c_str()), 0) << errors();
-    ASSERT_EQ(run("showcase.json --instances share --all-outputs --decisions 'variance of pixels' --size 24x18 --vpls 8 --paths 16 --frames 2 --json "
+    ASSERT_EQ(run("showcase.json --instances share --all-outputs --decisions 'variance of pixels' --size 24x18 --vpls "
+                  "8 --paths 16 --frames 2 --json "
                   "plan.json"),
               0)
         << errors();
