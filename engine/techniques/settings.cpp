@@ -61,9 +61,11 @@ const char* nameIn(const std::array<Name<Enum>, N>& names, Enum value) {
 
 template <typename Enum, size_t N>
 Enum parseName(const std::array<Name<Enum>, N>& names, const std::string& option, const std::string& text) {
+    std::string dashed = text;
+    std::ranges::replace(dashed, '_', '-');
     std::vector<const char*> expected;
     for (const auto& entry : names) {
-        if (text == entry.text) return entry.value;
+        if (dashed == entry.text) return entry.value;
         expected.push_back(entry.text);
     }
     failUsage("--{} {}: expected one of {}", option, text, fmt::join(expected, ", "));

@@ -53,7 +53,7 @@ Surface surfaceOfPixel(uint triangle, ivec2 pixel) {
     const vec3 direction = cameraDirection(pixel);
     const TriangleRecord t = loadTriangle(triangle);
     const vec2 barycentrics = barycentricsOfPixel(t, frame.cameraPosition, direction);
-    return surfaceAt(t, barycentrics, -direction, footprintOfPixel(t, barycentrics, direction));
+    return asSeenByCamera(surfaceAt(t, barycentrics, -direction, footprintOfPixel(t, barycentrics, direction)));
 }
 
 #endif

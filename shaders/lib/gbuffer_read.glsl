@@ -28,7 +28,7 @@ GBufferPixel readGBuffer(ivec2 pixel, bool withGeometricNormal) {
     result.receiver.geometricNormal = result.receiver.normal;
     if (withGeometricNormal) {
         const vec3 counterClockwise = counterClockwiseNormal(loadTriangle(result.triangle));
-        const bool isFront = dot(counterClockwise, result.receiver.normal) >= 0.0;
+        const bool isFront = dot(counterClockwise, cameraDirection(inside)) < 0.0;
         result.receiver.geometricNormal = isFront ? counterClockwise : -counterClockwise;
     }
     result.receiver.toViewer = -normalize(cameraDirection(inside));

@@ -58,6 +58,7 @@ struct Surface {
     Bsdf bsdf;
     uint material;
     bool isFrontFacing;    // the viewer is on the counter-clockwise side
+    bool isOpposed;        // the interpolated normal says otherwise
 };
 
 vec3 positionAt(TriangleRecord t, vec2 barycentrics) {
@@ -229,19 +230,21 @@ Bsdf bsdfAt(uint place, vec2 barycentrics, uint material, vec2 footprint) {
 
 // `toViewer` points away from the surface, to where the ray came from; it need not be unit.
 // Normals are turned to the viewer's side, a two-sided reflector: the geometric one, which cannot be wrong about sides,
-// and the shading normal with it.
+// and the shading normal with it. That is how light paths meet surfaces; see also asSeenByCamera().
 Surface surfaceAt(TriangleRecord t, vec2 barycentrics, vec3 toViewer, vec2 footprint) {
     const vec3 counterClockwise = counterClockwiseNormal(t);
     const uint material = triangleMaterials[t.place];
     vec3 shading = shadingNormalAt(t, barycentrics, counterClockwise);
     // The map belongs to the front of the surface.
     shading = dot(shading, counterClockwise) < 0.0 ? -shading : shading;
+    const bool isFrontByShading = dot(shading, toViewer) > 0.0;
     shading = mappedNormal(t, barycentrics, material, shading, footprint);
     Surface surface;
     surface.position = positionAt(t, barycentrics);
     surface.isFrontFacing = dot(counterClockwise, toViewer) > 0.0;
     surface.geometricNormal = surface.isFrontFacing ? counterClockwise : -counterClockwise;
     surface.normal = dot(shading, surface.geometricNormal) < 0.0 ? -shading : shading;
+    surface.isOpposed = isFrontByShading != surface.isFrontFacing;
     surface.material = material;
     surface.bsdf = bsdfAt(t.place, barycentrics, material, footprint);
     if (materials[material].isUnlit != 0u) surface.bsdf = lambertian(vec3(0.0));
@@ -250,6 +253,14 @@ Surface surfaceAt(TriangleRecord t, vec2 barycentrics, vec3 toViewer, vec2 footp
 
 Surface surfaceAt(uint triangle, vec2 barycentrics, vec3 toViewer) {
     return surfaceAt(loadTriangle(triangle), barycentrics, toViewer, kNoFootprint);
+}
+
+// Where the camera meets a surface, the side it sees is told by the interpolated normal. At the rim of a coarse round
+// body, which shows faces whose normals look away, a renderer that evaluates reflectances in the shading frame alone
+// does the same. Light paths keep the geometric side: to ask a VPL for both would cost every pair of pixel and VPL.
+Surface asSeenByCamera(Surface surface) {
+    if (kShadingNormals && surface.isOpposed) surface.normal = -surface.normal;
+    return surface;
 }
 
 #endif

@@ -127,7 +127,8 @@ PathState meetSurface(PathState path, uint seed) {
         path.isAlive = 0u;
         return path;
     }
-    const Surface surface = surfaceAt(t, hit.barycentrics, -path.direction, footprint);
+    Surface surface = surfaceAt(t, hit.barycentrics, -path.direction, footprint);
+    if (path.scatterings == 0u) surface = asSeenByCamera(surface);
     const uint dimension = 1u + path.scatterings * kDimensionsPerSurface;
     path.radiance += directLight(path, surface, seed, dimension);
     return scatter(path, surface, seed, dimension);

@@ -122,6 +122,36 @@ TEST_F(DirectLight, LightFromBelowDoesNotPass) {
     EXPECT_EQ(largestOf(render(scene, plainSettings())), 0.0);
 }
 
+TEST_F(DirectLight, TheInterpolatedNormalTellsWhichSideTheCameraSees) {
+    // As at the rim of a coarse round body: the face is seen, but its normal looks away.
+    Scene scene = floorFromAbove(kAlbedo);
+    const glm::vec3 normal(-0.6f, 0.8f, 0.0f);
+    for (Vertex& vertex : scene.vertices) vertex.normal = normal;
+    scene.cameras.clear();
+    addCamera(scene, {0.45f, 0.15f, 0.0f}, {0, 0, 0}, 0.2f);
+    scene = finished(std::move(scene));
+    const glm::vec3 onTheSeenSideOfBoth = glm::normalize(glm::vec3(1.0f, 0.5f, 0.0f));
+    for (const glm::vec3 toLight :
+         {onTheSeenSideOfBoth, glm::normalize(glm::vec3(-1.0f, 1.0f, 0.0f)),  // before the face
+          glm::normalize(glm::vec3(1.0f, -1.0f, 0.0f))}) {                    // behind it
+        scene.lights = {directionalLight(-toLight, glm::vec3(3.0f))};
+        const bool isLit = toLight == onTheSeenSideOfBoth;
+        const double expected = isLit ? double{kAlbedo} / kPi * 3.0 * double{-glm::dot(normal, toLight)} : 0.0;
+        for (const GBufferBy gbuffer : {GBufferBy::Raster, GBufferBy::Rays})
+            for (const Technique technique :
+                 {Technique::Deferred, Technique::Forward, Technique::ForwardPrepass, Technique::PathTracer}) {
+                RenderSettings settings = plainSettings(12, 9);
+                settings.technique = technique;
+                settings.castShadows = true;
+                if (technique == Technique::Deferred) settings.gbuffer = gbuffer;
+                // Corners keep their normals to 16 bits a coordinate; the cosine is a fifth.
+                for (const float texel : render(scene, settings).texels)
+                    ASSERT_NEAR(double{texel}, expected, 3e-4 * expected)
+                        << name(technique) << ", light from " << toLight.x;
+            }
+    }
+}
+
 TEST_F(DirectLight, SkyOverAPlane) {
     Scene scene = floorFromAbove(kAlbedo);
     scene.lights.push_back(constantLight(glm::vec3(2.0f)));

@@ -29,6 +29,8 @@ TEST(Settings, EveryOptionIsAppliedFromText) {
     applySetting(settings, "bounces", "-1");
     applySetting(settings, "exposure", "-1.5");
     EXPECT_EQ(settings.technique, Technique::ForwardPrepass);
+    applySetting(settings, "technique", "path_tracer");  // as papers and code write it
+    EXPECT_EQ(settings.technique, Technique::PathTracer);
     EXPECT_EQ(settings.width, 17u);
     EXPECT_EQ(settings.height, 5u);
     EXPECT_FALSE(settings.castShadows);
