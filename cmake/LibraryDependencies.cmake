@@ -1,5 +1,5 @@
 # What whoever links the libraries has to find as well: the build includes this file, and so does manylightConfig.cmake.
-set(MANYLIGHT_PACKAGES Threads Vulkan fmt glm nlohmann_json OpenEXR TinyGLTF tinyobjloader TBB)
+set(MANYLIGHT_PACKAGES Threads Vulkan fmt glm nlohmann_json OpenEXR TinyGLTF tinyobjloader TBB SPIRV-Tools-opt)
 
 # Packages of some systems lack these targets.
 macro(manylight_complete_targets)

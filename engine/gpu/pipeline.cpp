@@ -4,51 +4,34 @@
 #include "engine/gpu/graphics_state.h"
 #include "engine/gpu/pipeline_cache.h"
 #include "engine/gpu/shader.h"
+#include "engine/gpu/specialise.h"
+
+#include <optional>
 
 namespace manylight::gpu {
 namespace {
 
-/// VkSpecializationInfo for constants 0..n-1 and those of the tuning; the arrays live as long as this object.
-struct SpecialisationInfo {
-    Specialisation values;
-    std::vector<VkSpecializationMapEntry> entries;
-    VkSpecializationInfo info{};
+/// Value i for constant_id i, and those of the tuning.
+ConstantValues constantValues(const Specialisation& ofPass, const TraversalTuning& traversal, uint32_t groupWidth = 1,
+                              uint32_t groupHeight = 1) {
+    MANYLIGHT_CHECK(ofPass.size() <= size_t{shared::kConstantGroupWidth}, "specialisation");
+    ConstantValues values = {{shared::kConstantGroupWidth, groupWidth},
+                             {shared::kConstantGroupHeight, groupHeight},
+                             {shared::kConstantStackInRegisters, traversal.stackInRegisters},
+                             {shared::kConstantNodesAnyHit, traversal.nodesAnyHit},
+                             {shared::kConstantNodesClosestHit, traversal.nodesClosestHit},
+                             {shared::kConstantClosestInRegisters, traversal.closestInRegisters}};
+    for (uint32_t i = 0; i < ofPass.size(); ++i)
+        if (ofPass[i] != kAsInShader) values[i] = ofPass[i];
+    return values;
+}
 
-    SpecialisationInfo(const Specialisation& ofPass, const TraversalTuning& traversal, uint32_t groupWidth = 1,
-                       uint32_t groupHeight = 1)
-        : values(ofPass) {
-        MANYLIGHT_CHECK(values.size() <= size_t{shared::kConstantGroupWidth}, "specialisation");
-        for (uint32_t i = 0; i < values.size(); ++i)
-            if (values[i] != kAsInShader) addEntry(i, i);
-        const auto add = [&](int constant, uint32_t value) {
-            addEntry(static_cast<uint32_t>(constant), static_cast<uint32_t>(values.size()));
-            values.push_back(value);
-        };
-        add(shared::kConstantGroupWidth, groupWidth);
-        add(shared::kConstantGroupHeight, groupHeight);
-        add(shared::kConstantStackInRegisters, traversal.stackInRegisters);
-        add(shared::kConstantNodesAnyHit, traversal.nodesAnyHit);
-        add(shared::kConstantNodesClosestHit, traversal.nodesClosestHit);
-        add(shared::kConstantClosestInRegisters, traversal.closestInRegisters);
-        info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t), values.data()};
-    }
-    SpecialisationInfo(const SpecialisationInfo&) = delete;
-    SpecialisationInfo& operator=(const SpecialisationInfo&) = delete;
-
-  private:
-    void addEntry(uint32_t constant, uint32_t place) {
-        entries.push_back({constant, place * static_cast<uint32_t>(sizeof(uint32_t)), sizeof(uint32_t)});
-    }
-};
-
-VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module,
-                                          const SpecialisationInfo& specialisation) {
+VkPipelineShaderStageCreateInfo stageInfo(VkShaderStageFlagBits stage, VkShaderModule module) {
     VkPipelineShaderStageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     info.stage = stage;
     info.module = module;
     info.pName = "main";
-    info.pSpecializationInfo = &specialisation.info;
     return info;
 }
 
@@ -60,7 +43,6 @@ PipelineLibrary::~PipelineLibrary() {
     storePipelineCache(device_, cache_);
     for (const auto& [key, pipeline] : compute_) vkDestroyPipeline(device_.handle(), pipeline.handle, nullptr);
     for (const auto& [key, pipeline] : graphics_) vkDestroyPipeline(device_.handle(), pipeline.handle, nullptr);
-    for (const auto& [name, module] : modules_) vkDestroyShaderModule(device_.handle(), module, nullptr);
     for (const auto& [bindings, layout] : layouts_) {
         vkDestroyPipelineLayout(device_.handle(), layout.pipeline, nullptr);
         vkDestroyDescriptorSetLayout(device_.handle(), layout.set, nullptr);
@@ -102,15 +84,42 @@ bool PipelineLibrary::has(const GraphicsKey& key) {
     return graphics_.contains(key);
 }
 
+/// One pipeline's shader, gone once the pipeline is made.
+struct PipelineLibrary::Module {
+    Device& device;
+    VkShaderModule handle = VK_NULL_HANDLE;
+
+    Module(Device& onDevice, const std::string& shader, std::span<const uint32_t> words) : device(onDevice) {
+        VkShaderModuleCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+        info.codeSize = words.size_bytes();
+        info.pCode = words.data();
+        check(vkCreateShaderModule(device.handle(), &info, nullptr, &handle), "loading " + shader);
+    }
+    Module(PipelineLibrary& library, const std::string& shader, const ConstantValues& values)
+        : Module(library.device_, shader, specialised(library.codeOf(shader), values)) {}
+    ~Module() { vkDestroyShaderModule(device.handle(), handle, nullptr); }
+    Module(const Module&) = delete;
+    Module& operator=(const Module&) = delete;
+};
+
+std::vector<uint32_t> PipelineLibrary::codeOf(const std::string& shader) {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = replaced_.find(shader); found != replaced_.end()) return found->second;
+    const std::span<const uint32_t> words = shaderCode(shader);
+    return {words.begin(), words.end()};
+}
+
 Pipeline PipelineLibrary::makeCompute(const ComputeKey& key) {
-    const SpecialisationInfo specialisation(key.specialisation, key.traversal, key.groupWidth, key.groupHeight);
+    const Module module(*this, key.shader,
+                        constantValues(key.specialisation, key.traversal, key.groupWidth, key.groupHeight));
     VkPipelineShaderStageRequiredSubgroupSizeCreateInfo subgroup{};
     subgroup.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO;
     subgroup.requiredSubgroupSize = device_.subgroupSize();
 
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, moduleFor(key.shader), specialisation);
+    info.stage = stageInfo(VK_SHADER_STAGE_COMPUTE_BIT, module.handle);
     if (key.fullSubgroups) {
         info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
         if (device_.canRequireSubgroupSize()) info.stage.pNext = &subgroup;
@@ -124,11 +133,14 @@ Pipeline PipelineLibrary::makeCompute(const ComputeKey& key) {
 }
 
 Pipeline PipelineLibrary::makeGraphics(const GraphicsKey& key) {
-    const SpecialisationInfo specialisation(key.specialisation, key.traversal);
-    std::vector<VkPipelineShaderStageCreateInfo> stages = {
-        stageInfo(VK_SHADER_STAGE_VERTEX_BIT, moduleFor(key.vertexShader), specialisation)};
-    if (!key.fragmentShader.empty())
-        stages.push_back(stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, moduleFor(key.fragmentShader), specialisation));
+    const ConstantValues values = constantValues(key.specialisation, key.traversal);
+    const Module vertex(*this, key.vertexShader, values);
+    std::vector<VkPipelineShaderStageCreateInfo> stages = {stageInfo(VK_SHADER_STAGE_VERTEX_BIT, vertex.handle)};
+    std::optional<Module> fragment;
+    if (!key.fragmentShader.empty()) {
+        fragment.emplace(*this, key.fragmentShader, values);
+        stages.push_back(stageInfo(VK_SHADER_STAGE_FRAGMENT_BIT, fragment->handle));
+    }
 
     const GraphicsState state(key);
     VkGraphicsPipelineCreateInfo info = state.createInfo();
@@ -177,30 +189,12 @@ size_t PipelineLibrary::differenceFrom(const PipelineLibrary& other) const {
                                missing(graphics_, other.graphics_) + missing(other.graphics_, graphics_));
 }
 
-VkShaderModule PipelineLibrary::moduleFor(const std::string& shader) {
-    const std::lock_guard lock(mutex_);
-    VkShaderModule& module = modules_[shader];
-    if (module != VK_NULL_HANDLE) return module;
-    module = makeModule(shader, shaderCode(shader));
-    return module;
-}
-
-VkShaderModule PipelineLibrary::makeModule(const std::string& shader, std::span<const uint32_t> words) {
-    VkShaderModuleCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = words.size_bytes();
-    info.pCode = words.data();
-    VkShaderModule module = VK_NULL_HANDLE;
-    check(vkCreateShaderModule(device_.handle(), &info, nullptr, &module), "loading " + shader);
-    return module;
-}
-
 void PipelineLibrary::replaceShader(const std::string& shader, const std::vector<uint32_t>& words) {
-    const VkShaderModule module = makeModule(shader, words);
+    {
+        const Module accepted(device_, shader, words);
+    }
     const std::lock_guard lock(mutex_);
-    VkShaderModule& current = modules_[shader];
-    if (current != VK_NULL_HANDLE) vkDestroyShaderModule(device_.handle(), current, nullptr);
-    current = module;
+    replaced_[shader] = words;
     const auto forget = [&](auto& pipelines, const auto& uses) {
         std::erase_if(pipelines, [&](const auto& entry) {
             if (!uses(entry.first)) return false;

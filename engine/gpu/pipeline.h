@@ -7,7 +7,6 @@
 #include <compare>
 #include <map>
 #include <mutex>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -85,9 +84,9 @@ class PipelineLibrary {
     Pipeline makeCompute(const ComputeKey& key);
     Pipeline makeGraphics(const GraphicsKey& key);
     VkPipelineLayout layoutFor(const std::vector<BindingLayout>& bindings);
-    VkShaderModule moduleFor(const std::string& shader);
-    VkShaderModule makeModule(const std::string& shader, std::span<const uint32_t> words);
+    std::vector<uint32_t> codeOf(const std::string& shader);
 
+    struct Module;
     struct Layout {
         VkDescriptorSetLayout set = VK_NULL_HANDLE;
         VkPipelineLayout pipeline = VK_NULL_HANDLE;
@@ -97,7 +96,7 @@ class PipelineLibrary {
     VkPipelineCache cache_ = VK_NULL_HANDLE;
     std::mutex mutex_;
     std::map<std::vector<BindingLayout>, Layout> layouts_;
-    std::map<std::string, VkShaderModule> modules_;
+    std::map<std::string, std::vector<uint32_t>> replaced_;
     std::map<ComputeKey, Pipeline> compute_;
     std::map<GraphicsKey, Pipeline> graphics_;
 };
