@@ -8,9 +8,13 @@
 
 namespace manylight {
 
-ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                           uint32_t lightCount, bool castShadows, uint32_t width, uint32_t height) {
-    ImageHandle radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
+                           uint32_t lightCount, bool castShadows, bool keepsAreasApart, uint32_t width,
+                           uint32_t height) {
+    DirectLight direct;
+    direct.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+    if (keepsAreasApart)
+        direct.areaLight = graph.createImage("light of areas", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     const uint32_t limit = castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
     for (const shared::ShadePush& push : shadingStretches(lightCount, 0, limit, true)) {
         const bool adds = push.firstLight > 0;
@@ -20,11 +24,16 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         readGBuffer(pass, gbuffer);
         readEmitters(pass, scene, PipelineKind::Compute);
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
-        radiance = pass.write(radiance, adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
-                              shared::kBindingRadiance);
+        const Access access = adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite;
+        direct.radiance = pass.write(direct.radiance, access, shared::kBindingRadiance);
+        if (direct.areaLight) direct.areaLight = pass.write(*direct.areaLight, access, shared::kBindingReconstructed);
         gpu::Specialisation options = surfaceOptions(plan);
         options.insert(options.end(), {castShadows, 0u, adds});
         options = withEmitterOptions(options, plan);
+        if (keepsAreasApart) {
+            options.resize(40, gpu::kAsInShader);
+            options.push_back(VK_TRUE);
+        }
         pass.execute([options, push, width, height](PassContext& context) {
             const gpu::Workgroup tile = gpu::tileOf(context.tuning().rayThreads);
             const ComputeKernel kernel{.shader = "direct_light.comp", .group = tile, .specialisation = options};
@@ -35,7 +44,7 @@ ImageHandle addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
                 context.dispatch(kernel, width, std::min(rows, height - band.firstRow), band);
         });
     }
-    return radiance;
+    return direct;
 }
 
 }  // namespace manylight

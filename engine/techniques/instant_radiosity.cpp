@@ -2,6 +2,7 @@
 
 #include "engine/passes/compensation.h"
 #include "engine/passes/direct_light.h"
+#include "engine/passes/reconstruct_guide.h"
 #include "engine/passes/show_gbuffer.h"
 #include "engine/passes/show_rays.h"
 #include "engine/passes/vpl_light.h"
@@ -43,10 +44,32 @@ GatherGrid gatherGrid(uint32_t step, uint32_t frame) {
     return {{place % step, place / step}, frame / (step * step)};
 }
 
+bool resamples(const RenderSettings& settings) { return settings.castShadows && settings.shadowRays > 0; }
+
+/// A filter follows interleaved gathers and those of few rays.
+bool filters(const RenderSettings& settings) {
+    return settings.filter != Filter::Off && (settings.interleave > 1 || resamples(settings));
+}
+
 ReconstructionSchedule scheduleOf(const FrameInputs& inputs) {
     const RenderSettings& settings = inputs.settings;
-    if (settings.filter == Filter::Off) return {};
+    if (!filters(settings)) return {};
     return reconstructionSchedule(settings.interleave, settings.gatherStep, inputs.frame);
+}
+
+/// With a guide, what samples of area lights say is filtered.
+ImageHandle addFilteredDirectLight(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs,
+                                   const GBuffer& gbuffer, std::optional<ImageHandle> guide,
+                                   const LightsOfFrame& lights) {
+    const RenderSettings& settings = inputs.settings;
+    const ReconstructionSchedule schedule = areaLightSchedule(inputs.frame);
+    const bool samplesAreas = lights.lightCount > inputs.gpuScene.emitterTable.deltaLightCount;
+    const bool isFiltered = guide && samplesAreas && schedule.filters();
+    const DirectLight direct = addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lightCount,
+                                              settings.castShadows, isFiltered, settings.width, settings.height);
+    if (!isFiltered) return direct.radiance;
+    return addReconstruction(graph, scene, inputs.plan, gbuffer, *guide, *direct.areaLight, direct.radiance, schedule,
+                             1, std::nullopt, settings.width, settings.height);
 }
 
 /// What the bound cuts off, added to `image`.
@@ -60,35 +83,35 @@ ImageHandle giveBack(FrameGraph& graph, SceneHandles& scene, const FrameInputs& 
 
 /// Every pixel from every VPL, or from some of them: the mean is the same. With what the bound cut off, if asked for.
 ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
-                      const LightsOfFrame& lights, const VplLightOptions& gather, std::optional<ImageHandle> radiance) {
+                      std::optional<ImageHandle> guide, const LightsOfFrame& lights, const VplLightOptions& gather,
+                      std::optional<ImageHandle> radiance) {
     const RenderSettings& settings = inputs.settings;
-    const bool resamples = settings.castShadows && settings.shadowRays > 0;
-    if (settings.interleave == 1 && !resamples) {
+    if (settings.interleave == 1 && !resamples(settings)) {
         const ImageHandle light = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance,
                                               settings.width, settings.height);
         return giveBack(graph, scene, inputs, gbuffer, lights, light, false);
     }
-    const bool filters = settings.filter != Filter::Off;
+    const bool isFiltered = guide.has_value();
     const ReconstructionSchedule schedule = scheduleOf(inputs);
-    const bool visibilityApart = settings.filter == Filter::Ratio && resamples && schedule.filters();
+    const bool visibilityApart = settings.filter == Filter::Ratio && resamples(settings) && schedule.filters();
     const GatherGrid grid = gatherGrid(schedule.gatherStep, inputs.frame);
     ImageHandle gathered = addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
                                           {.vplCount = lights.vplCount,
                                            .castShadows = settings.castShadows,
-                                           .shadowRays = resamples ? settings.shadowRays : 0,
+                                           .shadowRays = resamples(settings) ? settings.shadowRays : 0,
                                            .interleave = settings.interleave,
                                            .phase = settings.interleavePhase + grid.turn,
                                            .subgroupSize = inputs.subgroupSize,
-                                           .forReconstruction = filters,
+                                           .forReconstruction = isFiltered,
                                            .visibilityApart = visibilityApart,
                                            .gatherStep = schedule.gatherStep,
                                            .gridStart = grid.start},
-                                          filters ? std::nullopt : radiance, settings.width, settings.height);
+                                          isFiltered ? std::nullopt : radiance, settings.width, settings.height);
     // A filter may smooth what is given back too, but for one that takes shares of the light of VPLs.
-    if (!visibilityApart) gathered = giveBack(graph, scene, inputs, gbuffer, lights, gathered, filters);
-    if (!filters) return gathered;
+    if (!visibilityApart) gathered = giveBack(graph, scene, inputs, gbuffer, lights, gathered, isFiltered);
+    if (!isFiltered) return gathered;
     const ImageHandle light = addReconstruction(
-        graph, scene, inputs.plan, gbuffer, gathered, radiance, schedule, settings.interleave,
+        graph, scene, inputs.plan, gbuffer, *guide, gathered, radiance, schedule, settings.interleave,
         visibilityApart ? std::optional(settings.shadowRays) : std::nullopt, settings.width, settings.height);
     return visibilityApart ? giveBack(graph, scene, inputs, gbuffer, lights, light, false) : light;
 }
@@ -121,15 +144,17 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
                             width, height),
                 gbuffer.depth, lights.list()};
     }
+    std::optional<ImageHandle> guide;
+    if (filters(settings)) guide = addReconstructGuide(graph, scene, inputs.plan, gbuffer, width, height);
     std::optional<ImageHandle> radiance;
     if (settings.lighting != Lighting::Global)
-        radiance =
-            addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lightCount, settings.castShadows, width, height);
+        radiance = addFilteredDirectLight(graph, scene, inputs, gbuffer, guide, lights);
     VplLightOptions gather{.vplCount = lights.vplCount,
                            .castShadows = settings.castShadows,
                            .subgroupSize = inputs.subgroupSize,
                            .pixelsPerInvocation = inputs.pixelsPerInvocation};
-    if (lights.vplCount > 0 || !radiance) radiance = addGather(graph, scene, inputs, gbuffer, lights, gather, radiance);
+    if (lights.vplCount > 0 || !radiance)
+        radiance = addGather(graph, scene, inputs, gbuffer, guide, lights, gather, radiance);
     TechniqueResult result{*radiance, gbuffer.depth, lights.list(), std::nullopt, gbuffer};
     if (inputs.keepsCutOff) {
         gather.cutOff = true;

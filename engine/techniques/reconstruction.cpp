@@ -2,7 +2,6 @@
 
 #include "engine/passes/reconstruct_atrous.h"
 #include "engine/passes/reconstruct_block.h"
-#include "engine/passes/reconstruct_guide.h"
 #include "engine/passes/reconstruct_visibility.h"
 #include "engine/passes/remodulate.h"
 
@@ -14,7 +13,12 @@ namespace {
 
 constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
 constexpr uint32_t kLevels = 3;
-constexpr double kWholeFrames = 4.0;  // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
+constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
+constexpr double kWholeFrames = 4.0;     // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
+
+float shareOfRadius(uint32_t frame) {
+    return static_cast<float>(std::pow(std::min(1.0, kWholeFrames / (frame + 1.0)), 1.0 / 6.0));
+}
 
 }  // namespace
 
@@ -25,8 +29,7 @@ uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep) {
 }
 
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame) {
-    const double share = std::min(1.0, kWholeFrames / (frame + 1.0));
-    const auto shrunk = static_cast<float>(std::pow(share, 1.0 / 6.0));
+    const float shrunk = shareOfRadius(frame);
     ReconstructionSchedule schedule;
     schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shrunk);
     if (shrunk == 1.0f) schedule.gatherStep = effectiveGatherStep(interleave, gatherStep);
@@ -38,13 +41,19 @@ ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gath
     return schedule;
 }
 
+ReconstructionSchedule areaLightSchedule(uint32_t frame) {
+    const float shrunk = shareOfRadius(frame);
+    ReconstructionSchedule schedule;
+    if (shrunk >= kLeastAreaShare) schedule.levels.push_back({1, kDeviations * shrunk});
+    return schedule;
+}
+
 ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
-                              const GBuffer& gbuffer, ImageHandle gathered, std::optional<ImageHandle> radiance,
-                              const ReconstructionSchedule& schedule, uint32_t interleave,
-                              std::optional<uint32_t> raysApart, uint32_t width, uint32_t height) {
+                              const GBuffer& gbuffer, ImageHandle guide, ImageHandle gathered,
+                              std::optional<ImageHandle> radiance, const ReconstructionSchedule& schedule,
+                              uint32_t interleave, std::optional<uint32_t> raysApart, uint32_t width, uint32_t height) {
     ImageHandle light = gathered;
     if (schedule.filters()) {
-        const ImageHandle guide = addReconstructGuide(graph, scene, plan, gbuffer, width, height);
         const uint32_t period = interleave / schedule.gatherStep;
         UnshadowedAndVisibility factors;
         if (raysApart)

@@ -26,14 +26,19 @@ struct ReconstructionSchedule {
 /// filtered. `frame`: how many there were before.
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame);
 
+/// Of light of area lights, whose samples neighbours draw independently: one level of the nearest pixels. Measured: with a
+/// second one shadows lose more than noise does. It fades by what may mix, and is gone after 256 frames.
+ReconstructionSchedule areaLightSchedule(uint32_t frame);
+
 /// What --gather-step comes to: the largest number up to it that divides the period.
 uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep);
 
-/// Filters `gathered` (RGBA32F, of addVplResample() for reconstruction) and adds its light to `radiance`, or to
-/// nothing. `raysApart`: of a pixel, where `gathered` has visibility apart; otherwise none.
+/// Filters `gathered` (RGBA32F, of addVplResample() for reconstruction, or of addDirectLight() apart) and adds its
+/// light to `radiance`, or to nothing. `guide`: of addReconstructGuide(). `raysApart`: of a pixel, where `gathered` has
+/// visibility apart; otherwise none.
 ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
-                              const GBuffer& gbuffer, ImageHandle gathered, std::optional<ImageHandle> radiance,
-                              const ReconstructionSchedule& schedule, uint32_t interleave,
-                              std::optional<uint32_t> raysApart, uint32_t width, uint32_t height);
+                              const GBuffer& gbuffer, ImageHandle guide, ImageHandle gathered,
+                              std::optional<ImageHandle> radiance, const ReconstructionSchedule& schedule,
+                              uint32_t interleave, std::optional<uint32_t> raysApart, uint32_t width, uint32_t height);
 
 }  // namespace manylight

@@ -188,9 +188,10 @@ const std::vector<Setting>& settingTable() {
          [](S& s, T o, T v) { s.interleave = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
          [](C s) -> Json { return s.interleave; }},
         {{"filter", "off|atrous|ratio",
-          "after an interleaved gather or few rays: a filter that stops at edges and fades as frames come in, of "
-          "light, or "
-          "of the share of it that its few rays say arrives; deferred"},
+          "after an interleaved gather or few rays: a filter that stops at edges and fades as frames come in, of the "
+          "light of "
+          "VPLs, or of the share of it that its few rays say arrives, and of what samples of area lights say; "
+          "deferred"},
          [](S& s, T o, T v) { s.filter = parseName(kFilters, o, v); },
          [](C s) -> Json { return name(s.filter); }},
         {{"gather-step", "N",

@@ -92,7 +92,8 @@ TEST_F(Reconstruction, ByVisibilityBringsBackWhatAllVplsGive) {
     EXPECT_LT(meanSquaredDifference(ratio, all), 0.1 * meanSquaredDifference(some, all));
     EXPECT_NEAR(meanOf(ratio), meanOf(all), 0.03 * meanOf(all));  // shadows are blurred: brighter here, darker there
     settings.gatherStep = 2;
-    EXPECT_NEAR(meanOf(render(scene, settings, 1)), meanOf(all), 0.05 * meanOf(all));  // and half of the period's pixels
+    EXPECT_NEAR(meanOf(render(scene, settings, 1)), meanOf(all),
+                0.05 * meanOf(all));  // and half of the period's pixels
 }
 
 // Of few rays likewise; and textures stay sharp, as light is filtered without what surfaces make of it.
@@ -108,16 +109,66 @@ TEST_F(Reconstruction, KeepsTexturesSharp) {
     EXPECT_LT(meanSquaredDifference(filtered, all), 0.3 * meanSquaredDifference(some, all));
 }
 
+RenderSettings directLight(uint32_t samples, Filter filter) {
+    RenderSettings settings = interleaved(4, filter);
+    settings.lighting = Lighting::Local;
+    settings.lightSampleCount = samples;
+    return settings;
+}
+
+TEST_F(Reconstruction, SmoothsLightOfAreaLights) {
+    const Scene scene = cornellBox();
+    const Image truth = render(scene, directLight(64, Filter::Off), 16);
+    for (const auto& [samples, share] : {std::pair{1u, 0.2}, std::pair{4u, 0.5}}) {
+        const Image noisy = render(scene, directLight(samples, Filter::Off), 1);
+        const Image filtered = render(scene, directLight(samples, Filter::Atrous), 1);
+        EXPECT_LT(meanSquaredDifference(filtered, truth), share * meanSquaredDifference(noisy, truth)) << samples;
+        EXPECT_NEAR(meanOf(filtered), meanOf(truth), 0.01 * meanOf(truth));
+    }
+}
+
+TEST_F(Reconstruction, LightOfAreaLightsIsTheSameInOneDispatchOrSeveral) {
+    // More samples than a dispatch takes on.
+    const Scene scene = cornellBox();
+    const Image truth = render(scene, directLight(64, Filter::Off), 16);
+    const Image noisy = render(scene, directLight(300, Filter::Off), 1);
+    const Image filtered = render(scene, directLight(300, Filter::Atrous), 1);
+    EXPECT_NEAR(meanOf(filtered), meanOf(noisy), 0.001 * meanOf(noisy));
+    // So many leave next to no noise, and the blur of penumbrae is about as large.
+    EXPECT_LT(meanSquaredDifference(filtered, truth), 2.0 * meanSquaredDifference(noisy, truth));
+}
+
+TEST_F(Reconstruction, LeavesLightOfPointLightsAsItIs) {
+    Scene scene = sphereInBox();
+    std::erase_if(scene.lights, [](const Light& light) { return light.type != LightType::Point; });
+    for (Material& material : scene.materials) material.emittedRadiance = glm::vec3(0.0f);
+    scene.lights.push_back(pointLight({0.1f, 0.2f, 0.1f}, glm::vec3(0.5f)));
+    scene = finished(std::move(scene));
+    EXPECT_TRUE(
+        sameBits(render(scene, directLight(4, Filter::Atrous), 1), render(scene, directLight(4, Filter::Off), 1)));
+}
+
 TEST_F(Reconstruction, ErrorFallsAsFramesComeIn) {
     const Scene scene = cornellBox();
     const Image truth = unfilteredTruth(scene);
     RenderSettings settings = interleaved(4, Filter::Atrous);
     settings.clamp = ClampMode::Compensate;
     const double first = meanSquaredDifference(render(scene, settings, 1), truth);
-    // Radii fall as (4 / i)^(1/6), bias with their square, and its mean over N = 48 frames is 3/2 (4 / N)^(1/3) = 0.66 of the
-    // first's; its square is 0.43. What is left to chance falls as 1 / N.
+    // Radii fall as (4 / i)^(1/6), bias with their square, and its mean over N = 48 frames is 3/2 (4 / N)^(1/3) = 0.66
+    // of the first's; its square is 0.43. What is left to chance falls as 1 / N.
     const double later = meanSquaredDifference(render(scene, settings, 48), truth);
     EXPECT_LT(later, 0.43 * first) << first << " and " << later;
+}
+
+TEST(ReconstructionSchedule, OfAreaLightsVanishesToo) {
+    float before = areaLightSchedule(0).levels.front().deviations;
+    for (uint32_t frame = 1; frame < 256; ++frame) {
+        const ReconstructionSchedule schedule = areaLightSchedule(frame);
+        ASSERT_EQ(schedule.levels.size(), 1u) << frame;
+        ASSERT_LE(schedule.levels.front().deviations, before) << frame;
+        before = schedule.levels.front().deviations;
+    }
+    EXPECT_FALSE(areaLightSchedule(256).filters());
 }
 
 TEST(ReconstructionSchedule, VanishesInTheEnd) {
