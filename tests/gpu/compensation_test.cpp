@@ -1,6 +1,6 @@
 // What the bound on the geometry term takes is known, and what compensation gives back is that.
-#include "tests/gpu/test_scenes.h"
 #include "engine/core/statistics.h"
+#include "tests/gpu/test_scenes.h"
 #include "tests/gpu/z_test.h"
 #include "tests/support/significance.h"
 
@@ -47,6 +47,17 @@ TEST_F(Compensation, GivesBackEverythingWhereTheBoundLeavesNothing) {
         expectSameMeans(compensated, truth, 0.012);
         EXPECT_TRUE(toldApart(scaled(compensated, 1.05), truth));
     }
+}
+
+TEST_F(Compensation, AsksVplsForWhatTheBoundLeavesThem) {
+    // The bound takes a part, and where short paths end VPLs give a share of the light.
+    const Scene scene = unevenBox();
+    RenderSettings settings = compensatedSettings(5.0f, 100, 3);
+    settings.lighting = Lighting::Global;
+    const PictureSamples truth = truthOf(scene, settings, 32);
+    const PictureSamples compensated = samplePictures(scene, settings, {.frames = 24});
+    expectSameMeans(compensated, truth, 0.012);
+    EXPECT_TRUE(toldApart(scaled(compensated, 1.03), truth));
 }
 
 TEST_F(Compensation, OfABoundThatTakesNothingIsNothing) {
