@@ -9,14 +9,13 @@
 namespace manylight {
 
 DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                           uint32_t lightCount, bool castShadows, bool keepsAreasApart, uint32_t width,
-                           uint32_t height) {
+                           const DirectLightOptions& light, uint32_t width, uint32_t height) {
     DirectLight direct;
     direct.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
-    if (keepsAreasApart)
+    if (light.areasApart)
         direct.areaLight = graph.createImage("light of areas", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
-    const uint32_t limit = castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
-    for (const shared::ShadePush& push : shadingStretches(lightCount, 0, limit, true)) {
+    const uint32_t limit = light.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
+    for (const shared::ShadePush& push : shadingStretches(light.lightCount, 0, limit, true)) {
         const bool adds = push.firstLight > 0;
         PassBuilder pass = graph.addPass("direct_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
@@ -28,12 +27,10 @@ DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         direct.radiance = pass.write(direct.radiance, access, shared::kBindingRadiance);
         if (direct.areaLight) direct.areaLight = pass.write(*direct.areaLight, access, shared::kBindingReconstructed);
         gpu::Specialisation options = surfaceOptions(plan);
-        options.insert(options.end(), {castShadows, 0u, adds});
+        options.insert(options.end(), {light.castShadows, 0u, adds});
         options = withEmitterOptions(options, plan);
-        if (keepsAreasApart) {
-            options.resize(40, gpu::kAsInShader);
-            options.push_back(VK_TRUE);
-        }
+        options.resize(40, gpu::kAsInShader);
+        options.insert(options.end(), {light.forReconstruction, light.areasApart});
         pass.execute([options, push, width, height](PassContext& context) {
             const gpu::Workgroup tile = gpu::tileOf(context.tuning().rayThreads);
             const ComputeKernel kernel{.shader = "direct_light.comp", .group = tile, .specialisation = options};

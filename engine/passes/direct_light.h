@@ -7,16 +7,20 @@
 
 namespace manylight {
 
+struct DirectLightOptions {
+    uint32_t lightCount = 0;  // point, spot and directional lights and samples of area lights
+    bool castShadows = true;
+    bool forReconstruction = false;  // light, demodulated, and no emission
+    bool areasApart = false;         // for a filter, which light that has no noise does not need
+};
+
 struct DirectLight {
-    ImageHandle radiance;  // RGBA32F: emission and direct light of the frame
+    ImageHandle radiance;  // RGBA32F: emission and direct light of the frame, or light for reconstruction
     std::optional<ImageHandle>
         areaLight;  // RGBA32F: what is not in it, light of area lights, demodulated, and its standard error
 };
 
-/// `lightCount`: point, spot and directional lights and samples of area lights. `keepsAreasApart`: for a filter, of
-/// which light that has no noise needs none.
 DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                           uint32_t lightCount, bool castShadows, bool keepsAreasApart, uint32_t width,
-                           uint32_t height);
+                           const DirectLightOptions& light, uint32_t width, uint32_t height);
 
 }  // namespace manylight

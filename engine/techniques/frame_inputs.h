@@ -4,7 +4,15 @@
 #include "engine/passes/gbuffer.h"
 #include "engine/techniques/settings.h"
 
+#include <vector>
+
 namespace manylight {
+
+/// A point of all pixels at which a frame asks what is seen.
+struct SeenPoint {
+    BufferHandle frameConstants;
+    glm::vec2 offset{0.5f};  // in the pixel
+};
 
 struct FrameInputs {
     const RenderSettings& settings;  // resolved: sizes, counts and bounces are final
@@ -13,6 +21,7 @@ struct FrameInputs {
     uint32_t frame = 0;  // frames before this one
     uint32_t subgroupSize = 32;
     uint32_t pixelsPerInvocation = 4;  // of the gather without shadows
+    std::vector<SeenPoint> points = {};  // the first is that of the scene's handles; see visibilitySamplesOf()
     glm::vec3 environmentRadiance{0.0f};
     bool gbufferByRays = false;
     bool keepsCutOff = false;  // TechniqueResult::cutOff is asked for

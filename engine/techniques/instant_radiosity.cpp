@@ -3,6 +3,8 @@
 #include "engine/passes/compensation.h"
 #include "engine/passes/direct_light.h"
 #include "engine/passes/reconstruct_guide.h"
+#include "engine/passes/reconstruct_sum.h"
+#include "engine/passes/remodulate.h"
 #include "engine/passes/show_gbuffer.h"
 #include "engine/passes/show_rays.h"
 #include "engine/passes/vpl_light.h"
@@ -44,32 +46,10 @@ GatherGrid gatherGrid(uint32_t step, uint32_t frame) {
     return {{place % step, place / step}, frame / (step * step)};
 }
 
-bool resamples(const RenderSettings& settings) { return settings.castShadows && settings.shadowRays > 0; }
-
-/// A filter follows interleaved gathers and those of few rays.
-bool filters(const RenderSettings& settings) {
-    return settings.filter != Filter::Off && (settings.interleave > 1 || resamples(settings));
-}
-
 ReconstructionSchedule scheduleOf(const FrameInputs& inputs) {
     const RenderSettings& settings = inputs.settings;
     if (!filters(settings)) return {};
     return reconstructionSchedule(settings.interleave, settings.gatherStep, inputs.frame);
-}
-
-/// With a guide, what samples of area lights say is filtered.
-ImageHandle addFilteredDirectLight(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs,
-                                   const GBuffer& gbuffer, std::optional<ImageHandle> guide,
-                                   const LightsOfFrame& lights) {
-    const RenderSettings& settings = inputs.settings;
-    const ReconstructionSchedule schedule = areaLightSchedule(inputs.frame);
-    const bool samplesAreas = lights.lightCount > inputs.gpuScene.emitterTable.deltaLightCount;
-    const bool isFiltered = guide && samplesAreas && schedule.filters();
-    const DirectLight direct = addDirectLight(graph, scene, inputs.plan, gbuffer, lights.lightCount,
-                                              settings.castShadows, isFiltered, settings.width, settings.height);
-    if (!isFiltered) return direct.radiance;
-    return addReconstruction(graph, scene, inputs.plan, gbuffer, *guide, *direct.areaLight, direct.radiance, schedule,
-                             1, std::nullopt, settings.width, settings.height);
 }
 
 /// What the bound cuts off, added to `image`.
@@ -81,39 +61,117 @@ ImageHandle giveBack(FrameGraph& graph, SceneHandles& scene, const FrameInputs& 
                            settings.height);
 }
 
-/// Every pixel from every VPL, or from some of them: the mean is the same. With what the bound cut off, if asked for.
-ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
-                      std::optional<ImageHandle> guide, const LightsOfFrame& lights, const VplLightOptions& gather,
-                      std::optional<ImageHandle> radiance) {
+/// Some of the VPLs for every pixel: the mean is that of all.
+ImageHandle addSomeVpls(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
+                        const LightsOfFrame& lights, bool forReconstruction, bool visibilityApart,
+                        std::optional<ImageHandle> radiance) {
     const RenderSettings& settings = inputs.settings;
-    if (settings.interleave == 1 && !resamples(settings)) {
-        const ImageHandle light = addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance,
-                                              settings.width, settings.height);
-        return giveBack(graph, scene, inputs, gbuffer, lights, light, false);
-    }
-    const bool isFiltered = guide.has_value();
     const ReconstructionSchedule schedule = scheduleOf(inputs);
-    const bool visibilityApart = settings.filter == Filter::Ratio && resamples(settings) && schedule.filters();
     const GatherGrid grid = gatherGrid(schedule.gatherStep, inputs.frame);
-    ImageHandle gathered = addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
-                                          {.vplCount = lights.vplCount,
-                                           .castShadows = settings.castShadows,
-                                           .shadowRays = resamples(settings) ? settings.shadowRays : 0,
-                                           .interleave = settings.interleave,
-                                           .phase = settings.interleavePhase + grid.turn,
-                                           .subgroupSize = inputs.subgroupSize,
-                                           .forReconstruction = isFiltered,
-                                           .visibilityApart = visibilityApart,
-                                           .gatherStep = schedule.gatherStep,
-                                           .gridStart = grid.start},
-                                          isFiltered ? std::nullopt : radiance, settings.width, settings.height);
-    // A filter may smooth what is given back too, but for one that takes shares of the light of VPLs.
-    if (!visibilityApart) gathered = giveBack(graph, scene, inputs, gbuffer, lights, gathered, isFiltered);
-    if (!isFiltered) return gathered;
-    const ImageHandle light = addReconstruction(
-        graph, scene, inputs.plan, gbuffer, *guide, gathered, radiance, schedule, settings.interleave,
-        visibilityApart ? std::optional(settings.shadowRays) : std::nullopt, settings.width, settings.height);
-    return visibilityApart ? giveBack(graph, scene, inputs, gbuffer, lights, light, false) : light;
+    return addVplResample(graph, scene, inputs.plan, gbuffer, lights.vpls,
+                          {.vplCount = lights.vplCount,
+                           .castShadows = settings.castShadows,
+                           .shadowRays = resamples(settings) ? settings.shadowRays : 0,
+                           .interleave = settings.interleave,
+                           .phase = settings.interleavePhase + grid.turn,
+                           .subgroupSize = inputs.subgroupSize,
+                           .forReconstruction = forReconstruction,
+                           .visibilityApart = visibilityApart,
+                           .gatherStep = schedule.gatherStep,
+                           .gridStart = grid.start},
+                          radiance, settings.width, settings.height);
+}
+
+/// Every pixel from every VPL, or from some of them, with what the bound cut off, if asked for.
+ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
+                      const LightsOfFrame& lights, const VplLightOptions& gather, std::optional<ImageHandle> radiance) {
+    const RenderSettings& settings = inputs.settings;
+    const bool asksAll = settings.interleave == 1 && !resamples(settings);
+    const ImageHandle light = asksAll
+                                  ? addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance,
+                                                settings.width, settings.height)
+                                  : addSomeVpls(graph, scene, inputs, gbuffer, lights, false, false, radiance);
+    return giveBack(graph, scene, inputs, gbuffer, lights, light, false);
+}
+
+/// Light of all kinds, demodulated, each filtered as suits it.
+class FilteredLight {
+  public:
+    FilteredLight(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
+                  ImageHandle guide, const LightsOfFrame& lights)
+        : graph_(graph), scene_(scene), inputs_(inputs), gbuffer_(gbuffer), guide_(guide), lights_(lights) {
+        if (settings_.lighting != Lighting::Global) addDirect();
+        if (lights.vplCount > 0 || !sum_) addIndirect();
+    }
+    ImageHandle sum() const { return *sum_; }
+
+  private:
+    void add(ImageHandle light) {
+        sum_ = sum_ ? addReconstructSum(graph_, scene_, *sum_, light, settings_.width, settings_.height) : light;
+    }
+
+    /// Only what has noise is filtered: samples of area lights.
+    void addDirect() {
+        const ReconstructionSchedule schedule = areaLightSchedule(inputs_.frame);
+        const bool samplesAreas = lights_.lightCount > inputs_.gpuScene.emitterTable.deltaLightCount;
+        const DirectLight direct = addDirectLight(graph_, scene_, inputs_.plan, gbuffer_,
+                                                  {.lightCount = lights_.lightCount,
+                                                   .castShadows = settings_.castShadows,
+                                                   .forReconstruction = true,
+                                                   .areasApart = samplesAreas && schedule.filters()},
+                                                  settings_.width, settings_.height);
+        add(direct.radiance);
+        if (direct.areaLight)
+            add(addReconstruction(graph_, scene_, guide_, *direct.areaLight, schedule, 1, std::nullopt, settings_.width,
+                                  settings_.height));
+    }
+
+    void addIndirect() {
+        const ReconstructionSchedule schedule = scheduleOf(inputs_);
+        const bool visibilityApart = settings_.filter == Filter::Ratio && resamples(settings_) && schedule.filters();
+        ImageHandle light =
+            addSomeVpls(graph_, scene_, inputs_, gbuffer_, lights_, true, visibilityApart, std::nullopt);
+        // A filter may smooth what is given back too, but for one that takes shares of the light of VPLs.
+        if (!visibilityApart) light = giveBack(graph_, scene_, inputs_, gbuffer_, lights_, light, true);
+        add(addReconstruction(graph_, scene_, guide_, light, schedule, settings_.interleave,
+                              visibilityApart ? std::optional(settings_.shadowRays) : std::nullopt, settings_.width,
+                              settings_.height));
+        if (visibilityApart) sum_ = giveBack(graph_, scene_, inputs_, gbuffer_, lights_, *sum_, true);
+    }
+
+    FrameGraph& graph_;
+    SceneHandles& scene_;
+    const FrameInputs& inputs_;
+    const RenderSettings& settings_ = inputs_.settings;
+    const GBuffer& gbuffer_;
+    ImageHandle guide_;
+    const LightsOfFrame& lights_;
+    std::optional<ImageHandle> sum_;
+};
+
+/// Radiance at all points of the frame: light is found at the first, and borrowed by the others.
+ImageHandle addFilteredRadiance(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs,
+                                const GBuffer& gbuffer, const LightsOfFrame& lights) {
+    const RenderSettings& settings = inputs.settings;
+    const uint32_t width = settings.width;
+    const uint32_t height = settings.height;
+    const ImageHandle guide = addReconstructGuide(graph, scene, inputs.plan, gbuffer, width, height);
+    const ImageHandle light = FilteredLight(graph, scene, inputs, gbuffer, guide, lights).sum();
+    const bool showEmission = settings.lighting != Lighting::Global;
+    const size_t last = inputs.points.size() - 1;
+    ImageHandle radiance = addRemodulate(graph, scene, inputs.plan, gbuffer, light, std::nullopt, showEmission,
+                                         last == 0, width, height);
+    for (size_t i = 1; i <= last; ++i) {
+        SceneHandles atPoint = scene;
+        atPoint.frame = inputs.points[i].frameConstants;
+        const GBuffer seen =
+            addGBuffer(graph, atPoint, inputs.plan, inputs.gpuScene.draws, inputs.gbufferByRays, width, height);
+        const LightToBorrow borrowed{guide, radiance, inputs.points[0].offset - inputs.points[i].offset};
+        radiance = addRemodulate(graph, atPoint, inputs.plan, seen, light, borrowed, showEmission, i == last, width,
+                                 height);
+        scene.status = atPoint.status;
+    }
+    return radiance;
 }
 
 }  // namespace
@@ -144,17 +202,22 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
                             width, height),
                 gbuffer.depth, lights.list()};
     }
-    std::optional<ImageHandle> guide;
-    if (filters(settings)) guide = addReconstructGuide(graph, scene, inputs.plan, gbuffer, width, height);
-    std::optional<ImageHandle> radiance;
-    if (settings.lighting != Lighting::Global)
-        radiance = addFilteredDirectLight(graph, scene, inputs, gbuffer, guide, lights);
     VplLightOptions gather{.vplCount = lights.vplCount,
                            .castShadows = settings.castShadows,
                            .subgroupSize = inputs.subgroupSize,
                            .pixelsPerInvocation = inputs.pixelsPerInvocation};
-    if (lights.vplCount > 0 || !radiance)
-        radiance = addGather(graph, scene, inputs, gbuffer, guide, lights, gather, radiance);
+    std::optional<ImageHandle> radiance;
+    if (filters(settings)) {
+        radiance = addFilteredRadiance(graph, scene, inputs, gbuffer, lights);
+    } else {
+        if (settings.lighting != Lighting::Global)
+            radiance = addDirectLight(graph, scene, inputs.plan, gbuffer,
+                                      {.lightCount = lights.lightCount, .castShadows = settings.castShadows}, width,
+                                      height)
+                           .radiance;
+        if (lights.vplCount > 0 || !radiance)
+            radiance = addGather(graph, scene, inputs, gbuffer, lights, gather, radiance);
+    }
     TechniqueResult result{*radiance, gbuffer.depth, lights.list(), std::nullopt, gbuffer};
     if (inputs.keepsCutOff) {
         gather.cutOff = true;

@@ -3,7 +3,6 @@
 #include "engine/passes/reconstruct_atrous.h"
 #include "engine/passes/reconstruct_block.h"
 #include "engine/passes/reconstruct_visibility.h"
-#include "engine/passes/remodulate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@ namespace {
 constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
 constexpr uint32_t kLevels = 3;
 constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
+constexpr uint32_t kFramesWithMorePoints = 64;
 constexpr double kWholeFrames = 4.0;     // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
 
 float shareOfRadius(uint32_t frame) {
@@ -48,26 +48,24 @@ ReconstructionSchedule areaLightSchedule(uint32_t frame) {
     return schedule;
 }
 
-ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
-                              const GBuffer& gbuffer, ImageHandle guide, ImageHandle gathered,
-                              std::optional<ImageHandle> radiance, const ReconstructionSchedule& schedule,
-                              uint32_t interleave, std::optional<uint32_t> raysApart, uint32_t width, uint32_t height) {
+uint32_t visibilitySamples(uint32_t asked, uint32_t frame) { return frame < kFramesWithMorePoints ? asked : 1; }
+
+ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, ImageHandle guide, ImageHandle gathered,
+                              const ReconstructionSchedule& schedule, uint32_t interleave,
+                              std::optional<uint32_t> raysApart, uint32_t width, uint32_t height) {
     ImageHandle light = gathered;
-    if (schedule.filters()) {
-        const uint32_t period = interleave / schedule.gatherStep;
-        UnshadowedAndVisibility factors;
-        if (raysApart)
-            factors = addReconstructVisibility(graph, scene, guide, gathered, schedule.blockWidth, period, *raysApart,
-                                               width, height);
-        else if (schedule.blockWidth > 1.0f)
-            light = addReconstructBlock(graph, scene, guide, gathered, schedule.blockWidth, period, width, height);
-        ImageHandle& filtered = raysApart ? factors.visibility : light;
-        for (const ReconstructionStep& level : schedule.levels)
-            filtered =
-                addReconstructAtrous(graph, scene, guide, filtered, level.spacing, level.deviations, width, height);
-        if (raysApart) light = addReconstructProduct(graph, scene, factors, width, height);
-    }
-    return addRemodulate(graph, scene, plan, gbuffer, light, radiance, width, height);
+    if (!schedule.filters()) return light;
+    const uint32_t period = interleave / schedule.gatherStep;
+    UnshadowedAndVisibility factors;
+    if (raysApart)
+        factors = addReconstructVisibility(graph, scene, guide, gathered, schedule.blockWidth, period, *raysApart,
+                                           width, height);
+    else if (schedule.blockWidth > 1.0f)
+        light = addReconstructBlock(graph, scene, guide, gathered, schedule.blockWidth, period, width, height);
+    ImageHandle& filtered = raysApart ? factors.visibility : light;
+    for (const ReconstructionStep& level : schedule.levels)
+        filtered = addReconstructAtrous(graph, scene, guide, filtered, level.spacing, level.deviations, width, height);
+    return raysApart ? addReconstructProduct(graph, scene, factors, width, height) : light;
 }
 
 }  // namespace manylight

@@ -1,7 +1,7 @@
 // The filter after an interleaved or resampled gather, pass by pass, and how it fades as frames come in.
 #pragma once
 
-#include "engine/passes/gbuffer.h"
+#include "engine/passes/gpu_scene.h"
 
 #include <optional>
 #include <vector>
@@ -33,12 +33,14 @@ ReconstructionSchedule areaLightSchedule(uint32_t frame);
 /// What --gather-step comes to: the largest number up to it that divides the period.
 uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep);
 
-/// Filters `gathered` (RGBA32F, of addVplResample() for reconstruction, or of addDirectLight() apart) and adds its
-/// light to `radiance`, or to nothing. `guide`: of addReconstructGuide(). `raysApart`: of a pixel, where `gathered` has
-/// visibility apart; otherwise none.
-ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan,
-                              const GBuffer& gbuffer, ImageHandle guide, ImageHandle gathered,
-                              std::optional<ImageHandle> radiance, const ReconstructionSchedule& schedule,
-                              uint32_t interleave, std::optional<uint32_t> raysApart, uint32_t width, uint32_t height);
+/// At how many points of a pixel a frame asks what is seen. Those but the first borrow light, which biases: they come
+/// to an end, and what they did fades with the mean over frames.
+uint32_t visibilitySamples(uint32_t asked, uint32_t frame);
+
+/// Light of `gathered` (RGBA32F, of addVplResample() for reconstruction, or of addDirectLight() apart), filtered.
+/// `guide`: of addReconstructGuide(). `raysApart`: of a pixel, where `gathered` has visibility apart; otherwise none.
+ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, ImageHandle guide, ImageHandle gathered,
+                              const ReconstructionSchedule& schedule, uint32_t interleave,
+                              std::optional<uint32_t> raysApart, uint32_t width, uint32_t height);
 
 }  // namespace manylight

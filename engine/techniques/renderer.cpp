@@ -15,6 +15,7 @@
 #include "engine/techniques/lights_of_frame.h"
 #include "engine/techniques/path_tracing.h"
 #include "engine/techniques/plan_rays.h"
+#include "engine/techniques/reconstruction.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/sobol.h"
 #include "shaders/shared/vpl_emission.h"
@@ -28,7 +29,14 @@
 namespace manylight {
 namespace {
 
+constexpr uint32_t kSeedOfPoints = 0x5eed;
 constexpr float kNearPlane = 1e-5f;  // of scenes whose diagonal is in [1, 2)
+
+PhysicalBuffer makeFrameConstants(gpu::Device& device) {
+    return {gpu::Buffer(device, "frame constants",
+                        {sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::Upload}),
+            {}};
+}
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -119,10 +127,7 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RenderSettings
       ownPipelines_(pipelines == nullptr ? std::make_unique<gpu::PipelineLibrary>(device) : nullptr),
       pipelines_(pipelines == nullptr ? *ownPipelines_ : *pipelines),
       executor_(device, pipelines_),
-      frameConstants_{
-          gpu::Buffer(device, "frame constants",
-                      {sizeof(shared::FrameConstants), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, gpu::MemoryKind::Upload}),
-          {}},
+      frameConstants_(makeFrameConstants(device)),
       statusBuffer_(makeStatusBuffer(device)),
       keepsVariance_(plan_.pixelVariance),
       keepsDisplay_(plan_.display) {
@@ -251,6 +256,11 @@ uint32_t Renderer::numberInSequence() const {
     return isTemporal() && frameCount_ == 0 ? temporal_.framesBefore(view()) : frameCount_;
 }
 
+uint32_t Renderer::pointCount() const {
+    const bool seesMore = settings_.technique == Technique::Deferred && filters(settings_);
+    return seesMore ? visibilitySamples(settings_.visibilitySamples, frameCount_) : 1;
+}
+
 void Renderer::writeFrameConstants() {
     const ViewAxes view = this->view();
     const uint32_t frameNumber = numberInSequence();
@@ -293,8 +303,33 @@ void Renderer::writeFrameConstants() {
     frame.environmentCellSide = gpuScene_.environmentCellSide;
     frame.environmentTurn = gpuScene_.environmentTurn;
     // Samples that move inside the pixel average it themselves.
-    frame.pixelShare = settings_.jitter ? 1.0f / static_cast<float>(frameCount_ + 1) : 1.0f;
+    const float points = static_cast<float>(pointCount());
+    frame.pixelShare = 1.0f / (settings_.jitter ? points * static_cast<float>(frameCount_ + 1) : points);
     std::memcpy(frameConstants_.buffer.mapped(), &frame, sizeof(frame));
+    writeConstantsOfPoints(frame);
+}
+
+void Renderer::writeConstantsOfPoints(const shared::FrameConstants& first) {
+    const uint32_t further = pointCount() - 1;
+    pixelOffsets_ = {first.pixelOffset};
+    while (constantsOfPoints_.size() < further) constantsOfPoints_.push_back(makeFrameConstants(device_));
+    for (uint32_t i = 0; i < further; ++i) {
+        shared::FrameConstants frame = first;
+        frame.seed = shared::hashCombine(first.seed, i + 1);  // of surfaces that let rays through by chance
+        frame.pixelOffset =
+            shared::owenScrambledSobol2d(further * first.frame + i, shared::hashCombine(first.seed, kSeedOfPoints));
+        frame.clipFromWorld = clipFromWorld(
+            view(), kNearPlane, 2.0f * (glm::vec2(0.5f) - frame.pixelOffset) / glm::vec2(frame.imageSize));
+        pixelOffsets_.push_back(frame.pixelOffset);
+        std::memcpy(constantsOfPoints_[i].buffer.mapped(), &frame, sizeof(frame));
+    }
+}
+
+std::vector<SeenPoint> Renderer::seenPoints(FrameGraph& graph, const SceneHandles& scene) {
+    std::vector<SeenPoint> points = {{scene.frame, pixelOffsets_[0]}};
+    for (uint32_t i = 1; i < pixelOffsets_.size(); ++i)
+        points.push_back({importPhysical(graph, "frame constants", constantsOfPoints_[i - 1]), pixelOffsets_[i]});
+    return points;
 }
 
 ImageHandle Renderer::declareDisplay(FrameGraph& graph, const SceneHandles& scene, ImageHandle sum,
@@ -319,6 +354,7 @@ FrameGraph Renderer::declareFrame() {
                              .frame = frameCount_,
                              .subgroupSize = device_.subgroupSize(),
                              .pixelsPerInvocation = tuned > 0 ? tuned : gatherTuner_.pixelsPerInvocation(),
+                             .points = seenPoints(graph, scene),
                              .environmentRadiance = gpuScene_.emitterTable.environmentRadiance,
                              .gbufferByRays = gbufferByRays_,
                              .keepsCutOff = keepsCutOff_ || plan_.cutOff || settings_.show == Show::CutOff};

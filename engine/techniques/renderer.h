@@ -5,9 +5,11 @@
 #include "engine/image/image.h"
 #include "engine/passes/frame_status.h"
 #include "engine/techniques/accumulator.h"
+#include "engine/techniques/frame_inputs.h"
 #include "engine/techniques/gather_tuner.h"
 #include "engine/techniques/settings.h"
 #include "engine/techniques/temporal_history.h"
+#include "shaders/shared/frame.h"
 
 #include <memory>
 #include <string>
@@ -116,7 +118,10 @@ class Renderer {
     ViewAxes view() const;
     bool isTemporal() const { return settings_.temporal && settings_.show == Show::Picture; }
     uint32_t numberInSequence() const;
+    uint32_t pointCount() const;
     void writeFrameConstants();
+    void writeConstantsOfPoints(const shared::FrameConstants& first);
+    std::vector<SeenPoint> seenPoints(FrameGraph& graph, const SceneHandles& scene);
     void chooseGBuffer();
     FrameGraph declareFrame();
     ImageHandle declareDisplay(FrameGraph& graph, const SceneHandles& scene, ImageHandle sum, uint32_t frameCount);
@@ -137,6 +142,8 @@ class Renderer {
     gpu::PipelineLibrary& pipelines_;
     GraphExecutor executor_;
     PhysicalBuffer frameConstants_;
+    std::vector<PhysicalBuffer> constantsOfPoints_;  // of pixels, but the first
+    std::vector<glm::vec2> pixelOffsets_;            // of all points of this frame
     PhysicalBuffer statusBuffer_;
     PhysicalBuffer vplCopy_;
     Accumulator radiance_;

@@ -106,6 +106,7 @@ struct Preset {
     uint32_t vplCount;
     uint32_t interleave;
     uint32_t gatherStep;
+    uint32_t visibilitySamples;
     uint32_t shadowRays;
     Filter filter;
     ClampMode clamp;
@@ -115,15 +116,15 @@ struct Preset {
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {3200, 4, 1, 4, Filter::Atrous, ClampMode::Compensate, 4};
+            return {3200, 4, 1, 4, 4, Filter::Atrous, ClampMode::Compensate, 4};
         case Quality::Interactive:
-            return {1600, 2, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
+            return {1600, 2, 1, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Final:
             break;
     }
     const RenderSettings standard;
-    return {standard.vplCount, standard.interleave, standard.gatherStep,      standard.shadowRays,
-            standard.filter,   standard.clamp,      standard.lightSampleCount};
+    return {standard.vplCount,   standard.interleave, standard.gatherStep, standard.visibilitySamples,
+            standard.shadowRays, standard.filter,     standard.clamp,      standard.lightSampleCount};
 }
 
 void applyQuality(RenderSettings& settings, Quality quality) {
@@ -131,6 +132,7 @@ void applyQuality(RenderSettings& settings, Quality quality) {
     if (settings.vplCount == presetOf(settings.quality).vplCount) settings.vplCount = preset.vplCount;
     settings.interleave = preset.interleave;
     settings.gatherStep = preset.gatherStep;
+    settings.visibilitySamples = preset.visibilitySamples;
     settings.shadowRays = preset.shadowRays;
     settings.filter = preset.filter;
     settings.clamp = preset.clamp;
@@ -138,6 +140,7 @@ void applyQuality(RenderSettings& settings, Quality quality) {
     settings.quality = quality;
 }
 
+constexpr uint32_t kMostVisibilitySamples = 64;
 constexpr uint32_t kMaxVpls = 1u << 21;  // 128 MiB of LightData, a storage buffer's usual limit
 
 struct Setting {
@@ -152,7 +155,7 @@ const std::vector<Setting>& settingTable() {
     using C = const RenderSettings&;
     static const std::vector<Setting> table = {
         {{"quality", "draft|interactive|final",
-          "presets of --interleave, --shadow-rays, --filter, --clamp, --light-samples and, if it is not given, --vpls; "
+          "presets of --interleave, --shadow-rays, --filter, --visibility-samples, --clamp, --light-samples and, if it is not given, --vpls; "
           "those given beside it count"},
          [](S& s, T o, T v) { applyQuality(s, parseName(kQualities, o, v)); },
          [](C s) -> Json { return name(s.quality); }},
@@ -200,6 +203,12 @@ const std::vector<Setting>& settingTable() {
           1, 4},
          [](S& s, T o, T v) { s.gatherStep = parseInteger<uint32_t>(o, v, 1, shared::kMostInterleave); },
          [](C s) -> Json { return s.gatherStep; }},
+        {{"visibility-samples", "N",
+          "with --filter, in the first frames: points of a pixel where a frame asks what is seen; those but the first "
+          "borrow light from pixels around that see the same surface",
+          1, 16},
+         [](S& s, T o, T v) { s.visibilitySamples = parseInteger<uint32_t>(o, v, 1, kMostVisibilitySamples); },
+         [](C s) -> Json { return s.visibilitySamples; }},
         {{"temporal", "on|off",
           "when the camera moves, light that was found before is shown on where it can still be seen; deferred"},
          [](S& s, T o, T v) { s.temporal = parseSwitch(o, v); },
@@ -267,6 +276,12 @@ const std::vector<Setting>& settingTable() {
 }
 
 }  // namespace
+
+bool resamples(const RenderSettings& settings) { return settings.castShadows && settings.shadowRays > 0; }
+
+bool filters(const RenderSettings& settings) {
+    return settings.filter != Filter::Off && (settings.interleave > 1 || resamples(settings));
+}
 
 const char* name(Technique technique) { return nameIn(kTechniques, technique); }
 const char* name(Lighting lighting) { return nameIn(kLightings, lighting); }

@@ -79,6 +79,7 @@ struct RenderSettings {
     uint32_t interleavePhase = 0;  // which, in the first frame
     Filter filter = Filter::Off;
     uint32_t gatherStep = 1;           // with a filter: every so many pixels gather, the others ask them
+    uint32_t visibilitySamples = 1;    // with a filter: points of a pixel where a frame asks what is seen
     Quality quality = Quality::Final;  // the preset that set some of these; what is set later counts
     std::optional<float> clampBound;   // c of the bound; empty: as suits the mode
     uint32_t lightSampleCount = 16;    // points on area lights and the environment per frame
@@ -95,6 +96,11 @@ struct RenderSettings {
 
     bool operator==(const RenderSettings&) const = default;
 };
+
+/// Whether pixels draw few of their VPLs for shadow rays, by what each would give.
+bool resamples(const RenderSettings& settings);
+/// Whether light is filtered: a filter follows interleaved gathers and those of few rays.
+bool filters(const RenderSettings& settings);
 
 /// Names as the command line spells them, e.g. "forward-prepass".
 const char* name(Technique technique);

@@ -13,8 +13,8 @@ struct GuideCenter {
     float perPixel; // a length over depth, in tolerances of the distance from the plane
 };
 
-GuideCenter guideCenterAt(ivec2 pixel) {
-    const vec4 own = imageLoad(guide, pixel);
+// `own`: normal, and depth along the camera's axis.
+GuideCenter guideCenterOf(vec4 own, ivec2 pixel) {
     const vec2 size = vec2(frame.imageSize);
     const vec2 ndc = 2.0 * (vec2(pixel) + frame.pixelOffset) / size - 1.0;
     const vec3 perNdc = vec3(dot(own.xyz, frame.cameraForward), dot(own.xyz, frame.cameraRight), dot(own.xyz, frame.cameraDown));
@@ -22,6 +22,8 @@ GuideCenter guideCenterAt(ivec2 pixel) {
     const float footprint = 2.0 * length(frame.cameraDown) / size.y;
     return GuideCenter(own.xyz, own.w, facing, 1.0 / (kPlaneTolerance * footprint));
 }
+
+GuideCenter guideCenterAt(ivec2 pixel) { return guideCenterOf(imageLoad(guide, pixel), pixel); }
 
 bool takesPart(GuideCenter center) { return center.depth > 0.0; }
 
@@ -35,14 +37,18 @@ float decay(float x) {
 
 // 1 on one plane, 0 on others. The distance from the plane is told in footprints per pixel: no lengths are involved, and
 // slopes count as little as distance. `difference`: a reason beside, as an exponent.
-float likeness(GuideCenter center, vec4 tap, ivec2 offset, float difference) {
-    const float along = center.facing.x + float(offset.x) * center.facing.y + float(offset.y) * center.facing.z;
+float likeness(GuideCenter center, vec4 tap, vec2 offset, float difference, int sharpnessLog2) {
+    const float along = center.facing.x + offset.x * center.facing.y + offset.y * center.facing.z;
     const float offPlane = abs(tap.w / center.depth * along - center.facing.x);
-    const float pixels = float(max(max(abs(offset.x), abs(offset.y)), 1));
+    const float pixels = max(max(abs(offset.x), abs(offset.y)), 1.0);
     float cosine = max(dot(center.normal, tap.xyz), 0.0);
-    for (int i = 0; i < kNormalSharpnessLog2; ++i) cosine *= cosine;
+    for (int i = 0; i < sharpnessLog2; ++i) cosine *= cosine;
     const float alike = cosine * decay(center.perPixel * offPlane / pixels + difference);
     return tap.w > 0.0 ? alike : 0.0;
+}
+
+float likeness(GuideCenter center, vec4 tap, ivec2 offset, float difference) {
+    return likeness(center, tap, vec2(offset), difference, kNormalSharpnessLog2);
 }
 
 // A neighbour's guide; of pixels outside the picture, one that is like nobody.

@@ -22,6 +22,11 @@ struct VisibilityPush {
     float rays;    // that a pixel has sent
 };
 
+struct RemodulatePush {
+    vec2 toLight;  // pixels, from this G-buffer's points to those where light is known
+    uint isLast;   // of the points of a pixel
+};
+
 struct AtrousPush {
     int spacing;       // of the taps, pixels
     float deviations;  // how far apart two pixels may be in brightness
