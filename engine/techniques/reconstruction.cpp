@@ -13,7 +13,7 @@ namespace {
 constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
 constexpr uint32_t kLevels = 3;
 constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
-constexpr uint32_t kFramesWithMorePoints = 64;
+constexpr uint32_t kFramesWithMorePoints = 8;
 constexpr double kWholeFrames = 4.0;     // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
 
 float shareOfRadius(uint32_t frame) {

@@ -25,6 +25,13 @@ float errorAround(ivec2 pixel, float own) {
     return sum * (1.0 / 8.0);
 }
 
+// Of either: if only the center's counted, bright outliers would be thinned by others and give them nothing.
+float differenceOf(vec4 light, float level, float allowed) {
+    const float apart = abs(brightness(light.rgb) - level);
+    const float allowedHere = max(allowed, push.deviations * light.a);
+    return 8.0 * allowedHere > apart ? apart / allowedHere : 8.0;
+}
+
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     const ivec2 last = ivec2(frame.imageSize) - 1;
@@ -40,21 +47,18 @@ void main() {
     float weights = 1.0;
     const float worst = max(own.a, level);
     float squaredErrors = worst > 0.0 ? (own.a / worst) * (own.a / worst) : 0.0;
-    for (int y = -radius; y <= radius; ++y)
+    for (int y = 0; y <= radius; ++y)
         for (int x = -2; x <= 2; ++x) {
             const ivec2 offset = spacing * ivec2(x, y);
-            const vec4 tap = guideOfTap(pixel + offset);
             const vec4 light = imageLoad(coarser, clamp(pixel + offset, ivec2(0), last));
-            const float apart = abs(brightness(light.rgb) - level);
-            // Of either: if only the center's counted, bright outliers would be thinned by others and give them nothing.
-            const float allowedHere = max(allowed, push.deviations * light.a);
-            const float difference = 8.0 * allowedHere > apart ? apart / allowedHere : 8.0;
-            const float alike = spline(x) * spline(y) * likeness(center, tap, offset, difference);
-            const float w = offset == ivec2(0) ? 0.0 : alike;
-            sum += w * light.rgb;
-            weights += w;
-            const float error = worst > 0.0 ? w * (light.a / worst) : 0.0;
-            squaredErrors += error * error;
+            const vec4 mirrored = imageLoad(coarser, clamp(pixel - offset, ivec2(0), last));
+            const float alike = min(likeness(center, guideOfTap(pixel + offset), offset, differenceOf(light, level, allowed)),
+                                    likeness(center, guideOfTap(pixel - offset), -offset, differenceOf(mirrored, level, allowed)));
+            const float w = y > 0 || x > 0 ? spline(x) * spline(y) * alike : 0.0;
+            sum += w * (light.rgb + mirrored.rgb);
+            weights += 2.0 * w;
+            const vec2 errors = worst > 0.0 ? w * (vec2(light.a, mirrored.a) / worst) : vec2(0.0);
+            squaredErrors += dot(errors, errors);
         }
     imageStore(smoother, pixel, vec4(sum / weights, worst * sqrt(squaredErrors) / weights));
 }

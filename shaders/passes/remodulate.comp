@@ -18,7 +18,7 @@ layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceIma
 layout(push_constant, scalar) uniform Push { RemodulatePush push; };
 
 const int kSharpnessLog2 = 3;     // light may come from where the normal is a little different: it was smoothed farther
-const float kLeastLikeness = 1e-3;
+const float kLeastLikeness = 1e-9;
 
 // Light at a further point of the pixel, and 1; 0 if nothing around shows its surface.
 vec4 borrowedLight(ivec2 pixel, GBufferPixel seen) {
@@ -32,7 +32,8 @@ vec4 borrowedLight(ivec2 pixel, GBufferPixel seen) {
             const ivec2 tap = pixel + ivec2(x, y);
             const vec2 offset = vec2(x, y) + push.toLight;
             const float near = exp(-2.0 * dot(offset, offset));
-            const float w = near * likeness(center, guideOfTap(tap), offset, 0.0, kSharpnessLog2);
+            const vec4 tapGuide = guideOfTap(tap);
+            const float w = near * max(likeness(center, tapGuide, offset, 0.0, kSharpnessLog2), tapGuide.w > 0.0 ? 1e-3 : 0.0);
             sum += w * vec4(imageLoad(lightImage, clamp(tap, ivec2(0), ivec2(frame.imageSize) - 1)).rgb, 1.0);
         }
     return sum.a > kLeastLikeness ? vec4(sum.rgb / sum.a, 1.0) : vec4(0.0);
