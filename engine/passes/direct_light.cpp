@@ -11,12 +11,13 @@ namespace manylight {
 DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
                            const DirectLightOptions& light, uint32_t width, uint32_t height) {
     DirectLight direct;
-    direct.radiance = graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
+    direct.radiance = light.radiance ? *light.radiance
+                                     : graph.createImage("radiance", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     if (light.areasApart)
         direct.areaLight = graph.createImage("light of areas", {VK_FORMAT_R32G32B32A32_SFLOAT, width, height});
     const uint32_t limit = light.castShadows ? shared::kMaxShadowedVplsPerDispatch : shared::kMaxVplsPerDispatch;
     for (const shared::ShadePush& push : shadingStretches(light.lightCount, 0, limit, true)) {
-        const bool adds = push.firstLight > 0;
+        const bool adds = push.firstLight > 0 || light.radiance;
         PassBuilder pass = graph.addPass("direct_light");
         readSurfaces(pass, scene, PipelineKind::Compute);
         readRays(pass, scene, PipelineKind::Compute);
@@ -29,8 +30,10 @@ DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         gpu::Specialisation options = surfaceOptions(plan);
         options.insert(options.end(), {light.castShadows, 0u, adds});
         options = withEmitterOptions(options, plan);
-        options.resize(40, gpu::kAsInShader);
-        options.insert(options.end(), {light.forReconstruction, light.areasApart});
+        if (light.areasApart) {
+            options.resize(40, gpu::kAsInShader);
+            options.push_back(VK_TRUE);
+        }
         pass.execute([options, push, width, height](PassContext& context) {
             const gpu::Workgroup tile = gpu::tileOf(context.tuning().rayThreads);
             const ComputeKernel kernel{.shader = "direct_light.comp", .group = tile, .specialisation = options};

@@ -10,12 +10,12 @@ namespace manylight {
 struct DirectLightOptions {
     uint32_t lightCount = 0;  // point, spot and directional lights and samples of area lights
     bool castShadows = true;
-    bool forReconstruction = false;  // light, demodulated, and no emission
-    bool areasApart = false;         // for a filter, which light that has no noise does not need
+    bool areasApart = false;                          // for a filter, which light that has no noise does not need
+    std::optional<ImageHandle> radiance = std::nullopt;  // RGBA32F, to add to
 };
 
 struct DirectLight {
-    ImageHandle radiance;  // RGBA32F: emission and direct light of the frame, or light for reconstruction
+    ImageHandle radiance;  // RGBA32F: emission and direct light of the frame
     std::optional<ImageHandle>
         areaLight;  // RGBA32F: what is not in it, light of area lights, demodulated, and its standard error
 };

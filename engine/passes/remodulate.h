@@ -9,18 +9,17 @@
 
 namespace manylight {
 
-/// Where light is known, for a further point of all pixels that borrows it; RGBA32F both.
-struct LightToBorrow {
-    ImageHandle guide;     // of addReconstructGuide()
-    ImageHandle radiance;  // sum over the points before, and their number in alpha
-    glm::vec2 offset;      // from this point to that where light is known, pixels
+/// Where light is known, for further points of the pixels that borrow it.
+struct LenderPoint {
+    ImageHandle guide;  // of addReconstructGuide()
+    glm::vec2 offset;   // from the point that borrows, pixels
 };
 
-/// Multiplies `light` (RGBA32F) by what the receivers in `gbuffer` reflect of it. Returns the sum over points of a pixel
-/// or, at the last one, their mean; points where nobody around knows the light of their surface are left out. `scene`: with
-/// frame constants of the point. `showEmission`: with what the camera sees of the lights themselves.
+/// Multiplies `light` by what the receivers in `gbuffer` reflect of it, adds it to `radiance`, or to nothing, and
+/// multiplies the sum by `scale`; returns the new version. All RGBA32F. `scene`: with frame constants of the G-buffer's
+/// point.
 ImageHandle addRemodulate(FrameGraph& graph, const SceneHandles& scene, const ScenePlan& plan, const GBuffer& gbuffer,
-                          ImageHandle light, const std::optional<LightToBorrow>& borrowed, bool showEmission,
-                          bool isLast, uint32_t width, uint32_t height);
+                          ImageHandle light, const std::optional<LenderPoint>& lender,
+                          std::optional<ImageHandle> radiance, float scale, uint32_t width, uint32_t height);
 
 }  // namespace manylight

@@ -94,81 +94,81 @@ ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs&
     return giveBack(graph, scene, inputs, gbuffer, lights, light, false);
 }
 
-/// Light of all kinds, demodulated, each filtered as suits it.
-class FilteredLight {
-  public:
-    FilteredLight(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
-                  ImageHandle guide, const LightsOfFrame& lights)
-        : graph_(graph), scene_(scene), inputs_(inputs), gbuffer_(gbuffer), guide_(guide), lights_(lights) {
-        if (settings_.lighting != Lighting::Global) addDirect();
-        if (lights.vplCount > 0 || !sum_) addIndirect();
-    }
-    ImageHandle sum() const { return *sum_; }
+/// Filtered light of the VPLs, demodulated, with what the bound cut off.
+ImageHandle addFilteredGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
+                              ImageHandle guide, const LightsOfFrame& lights) {
+    const RenderSettings& settings = inputs.settings;
+    const ReconstructionSchedule schedule = scheduleOf(inputs);
+    const bool visibilityApart = settings.filter == Filter::Ratio && resamples(settings) && schedule.filters();
+    ImageHandle light = addSomeVpls(graph, scene, inputs, gbuffer, lights, true, visibilityApart, std::nullopt);
+    // A filter may smooth what is given back too, but for one that takes shares of the light of VPLs.
+    if (!visibilityApart) light = giveBack(graph, scene, inputs, gbuffer, lights, light, true);
+    light = addReconstruction(graph, scene, guide, light, schedule, settings.interleave,
+                              visibilityApart ? std::optional(settings.shadowRays) : std::nullopt, settings.width,
+                              settings.height);
+    return visibilityApart ? giveBack(graph, scene, inputs, gbuffer, lights, light, true) : light;
+}
 
-  private:
-    void add(ImageHandle light) {
-        sum_ = sum_ ? addReconstructSum(graph_, scene_, *sum_, light, settings_.width, settings_.height) : light;
-    }
-
-    /// Only what has noise is filtered: samples of area lights.
-    void addDirect() {
-        const ReconstructionSchedule schedule = areaLightSchedule(inputs_.frame);
-        const bool samplesAreas = lights_.lightCount > inputs_.gpuScene.emitterTable.deltaLightCount;
-        const DirectLight direct = addDirectLight(graph_, scene_, inputs_.plan, gbuffer_,
-                                                  {.lightCount = lights_.lightCount,
-                                                   .castShadows = settings_.castShadows,
-                                                   .forReconstruction = true,
-                                                   .areasApart = samplesAreas && schedule.filters()},
-                                                  settings_.width, settings_.height);
-        add(direct.radiance);
-        if (direct.areaLight)
-            add(addReconstruction(graph_, scene_, guide_, *direct.areaLight, schedule, 1, std::nullopt, settings_.width,
-                                  settings_.height));
-    }
-
-    void addIndirect() {
-        const ReconstructionSchedule schedule = scheduleOf(inputs_);
-        const bool visibilityApart = settings_.filter == Filter::Ratio && resamples(settings_) && schedule.filters();
-        ImageHandle light =
-            addSomeVpls(graph_, scene_, inputs_, gbuffer_, lights_, true, visibilityApart, std::nullopt);
-        // A filter may smooth what is given back too, but for one that takes shares of the light of VPLs.
-        if (!visibilityApart) light = giveBack(graph_, scene_, inputs_, gbuffer_, lights_, light, true);
-        add(addReconstruction(graph_, scene_, guide_, light, schedule, settings_.interleave,
-                              visibilityApart ? std::optional(settings_.shadowRays) : std::nullopt, settings_.width,
-                              settings_.height));
-        if (visibilityApart) sum_ = giveBack(graph_, scene_, inputs_, gbuffer_, lights_, *sum_, true);
-    }
-
-    FrameGraph& graph_;
-    SceneHandles& scene_;
-    const FrameInputs& inputs_;
-    const RenderSettings& settings_ = inputs_.settings;
-    const GBuffer& gbuffer_;
-    ImageHandle guide_;
-    const LightsOfFrame& lights_;
-    std::optional<ImageHandle> sum_;
+/// Emission and direct light, and what may be borrowed: light that has noise, filtered, of area lights and VPLs.
+struct FilteredFrame {
+    std::optional<ImageHandle> radiance;
+    std::optional<ImageHandle> light;
 };
 
-/// Radiance at all points of the frame: light is found at the first, and borrowed by the others.
+FilteredFrame addFilteredFrame(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs,
+                               const GBuffer& gbuffer, ImageHandle guide, const LightsOfFrame& lights) {
+    const RenderSettings& settings = inputs.settings;
+    FilteredFrame frame;
+    if (settings.lighting != Lighting::Global) {
+        const ReconstructionSchedule schedule = areaLightSchedule(inputs.frame);
+        const bool samplesAreas = lights.lightCount > inputs.gpuScene.emitterTable.deltaLightCount;
+        const DirectLight direct = addDirectLight(graph, scene, inputs.plan, gbuffer,
+                                                  {.lightCount = lights.lightCount,
+                                                   .castShadows = settings.castShadows,
+                                                   .areasApart = samplesAreas && schedule.filters()},
+                                                  settings.width, settings.height);
+        frame.radiance = direct.radiance;
+        if (direct.areaLight)
+            frame.light = addReconstruction(graph, scene, guide, *direct.areaLight, schedule, 1, std::nullopt,
+                                            settings.width, settings.height);
+    }
+    if (lights.vplCount > 0 || !frame.radiance) {
+        const ImageHandle gathered = addFilteredGather(graph, scene, inputs, gbuffer, guide, lights);
+        frame.light = frame.light
+                          ? addReconstructSum(graph, scene, *frame.light, gathered, settings.width, settings.height)
+                          : gathered;
+    }
+    return frame;
+}
+
+/// The mean over the points at which the frame sees pixels. Lights without noise are asked at all of them.
 ImageHandle addFilteredRadiance(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs,
                                 const GBuffer& gbuffer, const LightsOfFrame& lights) {
     const RenderSettings& settings = inputs.settings;
     const uint32_t width = settings.width;
     const uint32_t height = settings.height;
     const ImageHandle guide = addReconstructGuide(graph, scene, inputs.plan, gbuffer, width, height);
-    const ImageHandle light = FilteredLight(graph, scene, inputs, gbuffer, guide, lights).sum();
-    const bool showEmission = settings.lighting != Lighting::Global;
+    const FilteredFrame frame = addFilteredFrame(graph, scene, inputs, gbuffer, guide, lights);
+    if (!frame.light) return *frame.radiance;
     const size_t last = inputs.points.size() - 1;
-    ImageHandle radiance = addRemodulate(graph, scene, inputs.plan, gbuffer, light, std::nullopt, showEmission,
-                                         last == 0, width, height);
+    const auto scaleOf = [last](size_t point) { return point < last ? 1.0f : 1.0f / static_cast<float>(last + 1); };
+    ImageHandle radiance = addRemodulate(graph, scene, inputs.plan, gbuffer, *frame.light, std::nullopt, frame.radiance,
+                                         scaleOf(0), width, height);
     for (size_t i = 1; i <= last; ++i) {
         SceneHandles atPoint = scene;
         atPoint.frame = inputs.points[i].frameConstants;
         const GBuffer seen =
             addGBuffer(graph, atPoint, inputs.plan, inputs.gpuScene.draws, inputs.gbufferByRays, width, height);
-        const LightToBorrow borrowed{guide, radiance, inputs.points[0].offset - inputs.points[i].offset};
-        radiance = addRemodulate(graph, atPoint, inputs.plan, seen, light, borrowed, showEmission, i == last, width,
-                                 height);
+        if (settings.lighting != Lighting::Global)
+            radiance = addDirectLight(graph, atPoint, inputs.plan, seen,
+                                      {.lightCount = inputs.gpuScene.emitterTable.deltaLightCount,
+                                       .castShadows = settings.castShadows,
+                                       .radiance = radiance},
+                                      width, height)
+                           .radiance;
+        const LenderPoint lender{guide, inputs.points[0].offset - inputs.points[i].offset};
+        radiance =
+            addRemodulate(graph, atPoint, inputs.plan, seen, *frame.light, lender, radiance, scaleOf(i), width, height);
         scene.status = atPoint.status;
     }
     return radiance;

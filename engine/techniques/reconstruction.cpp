@@ -3,6 +3,7 @@
 #include "engine/passes/reconstruct_atrous.h"
 #include "engine/passes/reconstruct_block.h"
 #include "engine/passes/reconstruct_visibility.h"
+#include "shaders/shared/sobol.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
 constexpr uint32_t kLevels = 3;
 constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
-constexpr uint32_t kFramesWithMorePoints = 8;
+constexpr uint32_t kFramesWithMorePoints = 16;
 constexpr double kWholeFrames = 4.0;     // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
 
 float shareOfRadius(uint32_t frame) {
@@ -49,6 +50,10 @@ ReconstructionSchedule areaLightSchedule(uint32_t frame) {
 }
 
 uint32_t visibilitySamples(uint32_t asked, uint32_t frame) { return frame < kFramesWithMorePoints ? asked : 1; }
+
+uint32_t numberOfPoint(uint32_t pointCount, uint32_t frame, uint32_t point) {
+    return frame * pointCount + (point + shared::hashInteger(frame)) % pointCount;
+}
 
 ImageHandle addReconstruction(FrameGraph& graph, const SceneHandles& scene, ImageHandle guide, ImageHandle gathered,
                               const ReconstructionSchedule& schedule, uint32_t interleave,

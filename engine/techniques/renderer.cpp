@@ -29,7 +29,7 @@
 namespace manylight {
 namespace {
 
-constexpr uint32_t kSeedOfPoints = 0x5eed;
+constexpr uint32_t kMostLightsOfPoints = 8;  // without noise: beyond, asking all at every point costs more than it gives
 constexpr float kNearPlane = 1e-5f;  // of scenes whose diagonal is in [1, 2)
 
 PhysicalBuffer makeFrameConstants(gpu::Device& device) {
@@ -257,8 +257,13 @@ uint32_t Renderer::numberInSequence() const {
 }
 
 uint32_t Renderer::pointCount() const {
-    const bool seesMore = settings_.technique == Technique::Deferred && filters(settings_);
-    return seesMore ? visibilitySamples(settings_.visibilitySamples, frameCount_) : 1;
+    const bool borrows = settings_.technique == Technique::Deferred && filters(settings_);
+    const bool hasFewLights = gpuScene_.emitterTable.deltaLightCount <= kMostLightsOfPoints;
+    return borrows && hasFewLights ? visibilitySamples(settings_.visibilitySamples, frameCount_) : 1;
+}
+
+glm::vec2 Renderer::offsetOfPoint(uint32_t point, uint32_t number, uint32_t seed) const {
+    return shared::owenScrambledSobol2d(numberOfPoint(pointCount(), number, point), seed);
 }
 
 void Renderer::writeFrameConstants() {
@@ -267,7 +272,7 @@ void Renderer::writeFrameConstants() {
     const uint32_t seed =
         settings_.continuesSequences ? settings_.seed : shared::hashCombine(settings_.seed, frameNumber);
     const uint32_t number = settings_.continuesSequences ? frameNumber : 0;  // of the frame in its sequences
-    const glm::vec2 offset = settings_.jitter ? shared::owenScrambledSobol2d(number, seed) : glm::vec2(0.5f);
+    const glm::vec2 offset = settings_.jitter ? offsetOfPoint(0, number, seed) : glm::vec2(0.5f);
     const glm::vec2 size{settings_.width, settings_.height};
     const EmitterTable& table = gpuScene_.emitterTable;
     const bool local = settings_.lighting != Lighting::Global;
@@ -316,8 +321,7 @@ void Renderer::writeConstantsOfPoints(const shared::FrameConstants& first) {
     for (uint32_t i = 0; i < further; ++i) {
         shared::FrameConstants frame = first;
         frame.seed = shared::hashCombine(first.seed, i + 1);  // of surfaces that let rays through by chance
-        frame.pixelOffset =
-            shared::owenScrambledSobol2d(further * first.frame + i, shared::hashCombine(first.seed, kSeedOfPoints));
+        frame.pixelOffset = offsetOfPoint(i + 1, first.frame, first.seed);
         frame.clipFromWorld = clipFromWorld(
             view(), kNearPlane, 2.0f * (glm::vec2(0.5f) - frame.pixelOffset) / glm::vec2(frame.imageSize));
         pixelOffsets_.push_back(frame.pixelOffset);

@@ -119,6 +119,7 @@ class Renderer {
     bool isTemporal() const { return settings_.temporal && settings_.show == Show::Picture; }
     uint32_t numberInSequence() const;
     uint32_t pointCount() const;
+    glm::vec2 offsetOfPoint(uint32_t point, uint32_t number, uint32_t seed) const;
     void writeFrameConstants();
     void writeConstantsOfPoints(const shared::FrameConstants& first);
     std::vector<SeenPoint> seenPoints(FrameGraph& graph, const SceneHandles& scene);

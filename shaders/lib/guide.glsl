@@ -37,19 +37,15 @@ float decay(float x) {
 
 // 1 on one plane, 0 on others. The distance from the plane is told in footprints per pixel: no lengths are involved, and
 // slopes count as little as distance. `difference`: a reason beside, as an exponent.
-float likeness(GuideCenter center, vec4 tap, vec2 offset, float difference, int sharpnessLog2) {
+float likeness(GuideCenter center, vec4 tap, vec2 offset, float difference, float sharpness) {
     const float along = center.facing.x + offset.x * center.facing.y + offset.y * center.facing.z;
     const float offPlane = abs(tap.w / center.depth * along - center.facing.x);
     const float pixels = max(max(abs(offset.x), abs(offset.y)), 1.0);
-    float cosine = max(dot(center.normal, tap.xyz), 0.0);
-    for (int i = 0; i < sharpnessLog2; ++i) cosine *= cosine;
-    const float alike = cosine * decay(center.perPixel * offPlane / pixels + difference);
+    const float turned = 1.0 - dot(center.normal, tap.xyz);
+    const float alike = decay(center.perPixel * offPlane / pixels + sharpness * turned + difference);
     return tap.w > 0.0 ? alike : 0.0;
 }
 
-float likeness(GuideCenter center, vec4 tap, ivec2 offset, float difference) {
-    return likeness(center, tap, vec2(offset), difference, kNormalSharpnessLog2);
-}
 
 // A neighbour's guide; of pixels outside the picture, one that is like nobody.
 vec4 guideOfTap(ivec2 pixel) {

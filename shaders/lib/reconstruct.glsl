@@ -52,8 +52,8 @@ float sameSurface(Guide center, Guide tap, float footprint, ivec2 offset) {
     const vec3 between = tap.position - center.position;
     const float offPlane = max(abs(dot(between, center.normal)), abs(dot(between, tap.normal)));
     const float allowed = kPlaneTolerance * footprint * max(float(max(abs(offset.x), abs(offset.y))), 1.0);
-    const float plane = offPlane > 0.0 ? exp(-min(offPlane / allowed, 80.0)) : 1.0;
-    return plane * pow(max(dot(center.normal, tap.normal), 0.0), float(1 << kNormalSharpnessLog2));
+    const float turned = kNormalSharpness * (1.0 - dot(center.normal, tap.normal));
+    return exp(-min((offPlane > 0.0 ? offPlane / allowed : 0.0) + turned, 80.0));
 }
 
 #endif

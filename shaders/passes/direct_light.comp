@@ -1,5 +1,5 @@
-// Emission and the light of the real lights, for every pixel of the G-buffer. Where a filter follows, it is light alone,
-// demodulated; what samples of area lights say may be kept apart.
+// Emission and the light of the real lights, for every pixel of the G-buffer. Where a filter follows, what samples of area
+// lights say is kept apart for it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/traces.glsl"
@@ -11,8 +11,7 @@
 #include "shaders/lib/tile.glsl"
 
 layout(constant_id = 12) const bool kAddToRadiance = false;
-layout(constant_id = 40) const bool kForReconstruction = false;
-layout(constant_id = 41) const bool kAreasApart = false;
+layout(constant_id = 40) const bool kAreasApart = false;
 
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(set = 0, binding = kBindingReconstructed, rgba32f) uniform image2D areaLight;
@@ -59,19 +58,11 @@ void main() {
         storeLightOfAreas(pixel, seen.receiver, seed);
         count = min(count, max(frame.deltaLightCount, push.firstLight) - push.firstLight);
     }
-    const vec3 sum = sumOfLights(seen.receiver, seed, push.firstLight, count);
-    const bool isFirst = push.showEmission != 0u;
-    const vec3 reflected = kGlossy && isFirst ? reflectedLights(seen.receiver, seed) : vec3(0.0);
+    vec3 radiance = radianceFromSum(seen.receiver, sumOfLights(seen.receiver, seed, push.firstLight, count));
+    if (kGlossy && push.showEmission != 0u) radiance += reflectedLights(seen.receiver, seed);
     if (bvhLoopBudgetExceeded) atomicOr(status.loopBudgetExceeded, 1u);
 
-    vec3 light;
-    if (kForReconstruction) {
-        light = demodulated(seen.receiver, sum);
-        if (isGlossy(seen.receiver.bsdf.f90)) light += reflected / demodulator(seen.receiver);
-    } else {
-        light = radianceFromSum(seen.receiver, sum) + reflected;
-        if (isFirst) light += emissionSeenBy(pixel, seen.isSurface, seen.triangle);
-    }
-    if (kAddToRadiance) light += imageLoad(radianceImage, pixel).rgb;
-    imageStore(radianceImage, pixel, vec4(light, 1.0));
+    if (push.showEmission != 0u) radiance += emissionSeenBy(pixel, seen.isSurface, seen.triangle);
+    if (kAddToRadiance) radiance += imageLoad(radianceImage, pixel).rgb;
+    imageStore(radianceImage, pixel, vec4(radiance, 1.0));
 }

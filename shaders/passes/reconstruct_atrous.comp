@@ -1,5 +1,6 @@
 // One level of the edge-avoiding a-trous wavelet (Dammertz et al. 2010), which stops at other surfaces and where
-// brightness differs by more than its error explains (Schied et al. 2017). Alpha is that error.
+// brightness differs by more than its error explains (Schied et al. 2017). Alpha is that error. A tap counts as much as
+// the one on the other side of the pixel, and no more: next to an edge a slope of the light would not cancel otherwise.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
@@ -32,6 +33,10 @@ float differenceOf(vec4 light, float level, float allowed) {
     return 8.0 * allowedHere > apart ? apart / allowedHere : 8.0;
 }
 
+float likenessTo(ivec2 pixel, ivec2 offset, GuideCenter center, float difference) {
+    return likeness(center, guideOfTap(pixel + offset), vec2(offset), difference, kNormalSharpness);
+}
+
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     const ivec2 last = ivec2(frame.imageSize) - 1;
@@ -52,8 +57,8 @@ void main() {
             const ivec2 offset = spacing * ivec2(x, y);
             const vec4 light = imageLoad(coarser, clamp(pixel + offset, ivec2(0), last));
             const vec4 mirrored = imageLoad(coarser, clamp(pixel - offset, ivec2(0), last));
-            const float alike = min(likeness(center, guideOfTap(pixel + offset), offset, differenceOf(light, level, allowed)),
-                                    likeness(center, guideOfTap(pixel - offset), -offset, differenceOf(mirrored, level, allowed)));
+            const float alike = min(likenessTo(pixel, offset, center, differenceOf(light, level, allowed)),
+                                    likenessTo(pixel, -offset, center, differenceOf(mirrored, level, allowed)));
             const float w = y > 0 || x > 0 ? spline(x) * spline(y) * alike : 0.0;
             sum += w * (light.rgb + mirrored.rgb);
             weights += 2.0 * w;

@@ -38,7 +38,7 @@ void main() {
             const vec4 light = imageLoad(gathered, clamp(pixel + offset, ivec2(0), last));
             const bool hasGathered = light.a >= 0.0;
             const float box = hasGathered ? inBox(x, width) * inBox(y, width) : 0.0;
-            const float alike = takesPart(center) ? likeness(center, tap, offset, 0.0) : 0.0;
+            const float alike = takesPart(center) ? likeness(center, tap, vec2(offset), 0.0, kBlockNormalSharpness) : 0.0;
             const float w = hasGathered && offset == ivec2(0) ? 1.0 : box * alike;
             sum += w * light.rgb;
             weights += w;

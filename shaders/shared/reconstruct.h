@@ -6,7 +6,10 @@
 MANYLIGHT_SHARED_BEGIN
 
 MANYLIGHT_CONSTANT(float, kPlaneTolerance, 1.0f);     // off the plane per pixel of distance in the picture, footprints
-MANYLIGHT_CONSTANT(int, kNormalSharpnessLog2, 6);  // of the exponent of the cosine between normals
+// How soon normals are too different, as the exponent of the cosine between them, about. One pixel has light of few VPLs,
+// and what is round in the picture has few pixels: the first filter takes neighbours that the others would not.
+MANYLIGHT_CONSTANT(float, kNormalSharpness, 32.0f);
+MANYLIGHT_CONSTANT(float, kBlockNormalSharpness, 8.0f);
 
 // Mean of the channels: of light that has the same spectrum everywhere, any mixture would do.
 MANYLIGHT_FUNCTION float brightness(vec3 v) { return (v.x + v.y + v.z) * (1.0f / 3.0f); }
@@ -23,8 +26,8 @@ struct VisibilityPush {
 };
 
 struct RemodulatePush {
-    vec2 toLight;  // pixels, from this G-buffer's points to those where light is known
-    uint isLast;   // of the points of a pixel
+    vec2 toLender;  // pixels, from this G-buffer's points to those where light is known
+    float scale;    // of the sum
 };
 
 struct AtrousPush {
