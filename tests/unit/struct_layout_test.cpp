@@ -123,6 +123,8 @@ const std::map<std::string, ExpectedStruct> kStructs = {
     {"VisibilityPush",
      {{MEMBER(VisibilityPush, width), MEMBER(VisibilityPush, period), MEMBER(VisibilityPush, rays)},
       sizeof(shared::VisibilityPush)}},
+    {"RemodulatePush",
+     {{MEMBER(RemodulatePush, toLender), MEMBER(RemodulatePush, scale)}, sizeof(shared::RemodulatePush)}},
     {"AtrousPush", {{MEMBER(AtrousPush, spacing), MEMBER(AtrousPush, deviations)}, sizeof(shared::AtrousPush)}},
     {"ReprojectionPush",
      {{MEMBER(ReprojectionPush, origin), MEMBER(ReprojectionPush, frames), MEMBER(ReprojectionPush, right),

@@ -1,0 +1,128 @@
+// Further points at which a frame sees pixels: outlines get smoother, light stays what it was.
+#include "engine/techniques/reconstruction.h"
+#include "tests/gpu/gpu_test.h"
+#include "tests/gpu/test_scenes.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace manylight::test {
+namespace {
+
+using VisibilitySamples = GpuTest;
+
+RenderSettings filteredSettings(uint32_t visibilitySamples) {
+    RenderSettings settings = plainSettings(64, 48);
+    settings.vplCount = settings.pathCount = 256;
+    settings.bounceCount = 1;
+    settings.interleave = 4;
+    settings.filter = Filter::Atrous;
+    settings.jitter = true;
+    settings.visibilitySamples = visibilitySamples;
+    return settings;
+}
+
+/// A sphere lit evenly by its own VPLs, with stripes of two albedos where the camera looks: what a pixel should show is
+/// their mean over the pixel, times one number.
+Scene stripedBall() {
+    Scene scene;
+    const uint32_t grey = addMaterial(scene, glm::vec3(0.5f));
+    addSphere(scene, glm::vec3(0.0f), 0.5f, 5, true, true, grey);
+    const uint32_t dark = addMaterial(scene, glm::vec3(0.1f));
+    const uint32_t bright = addMaterial(scene, glm::vec3(0.9f));
+    for (size_t i = 0; i < scene.triangles.size(); ++i)
+        if (scene.vertices[scene.triangles[i].vertex[0]].position.y > 0.1f)
+            scene.triangles[i].material = i % 2 == 0 ? dark : bright;
+    scene.lights.push_back(spotLight(glm::vec3(0.0f), {0, -1, 0}, glm::vec3(1.0f), 0.8f, 0.8f));
+    addCamera(scene, {0.0f, -0.1f, 0.0f}, {0.05f, 0.5f, 0.05f}, 1.0f);
+    return finished(std::move(scene));
+}
+
+double rootMeanSquare(const Image& a, const Image& b) {
+    double sum = 0.0;
+    for (size_t i = 0; i < a.texels.size(); ++i) sum += std::pow(double{a.texels[i]} - double{b.texels[i]}, 2);
+    return std::sqrt(sum / static_cast<double>(a.texels.size()));
+}
+
+// Where only outlines are left to chance, points in strata err less than as many frames would: below 1 / sqrt(8).
+TEST_F(VisibilitySamples, SmoothOutlinesByRasterAndByRays) {
+    const Scene scene = stripedBall();
+    RenderSettings whole = filteredSettings(1);
+    whole.filter = Filter::Off;
+    whole.interleave = 1;
+    const Image truth = render(scene, whole, 256);
+    for (const GBufferBy gbuffer : {GBufferBy::Raster, GBufferBy::Rays}) {
+        SCOPED_TRACE(name(gbuffer));
+        RenderSettings one = filteredSettings(1);
+        one.gbuffer = gbuffer;
+        RenderSettings eight = filteredSettings(8);
+        eight.gbuffer = gbuffer;
+        const Image smooth = render(scene, eight, 1);
+        EXPECT_LT(rootMeanSquare(smooth, truth), rootMeanSquare(render(scene, one, 1), truth) / std::numbers::sqrt2 / 2);
+        EXPECT_NEAR(meanOf(smooth), meanOf(truth), 0.005 * meanOf(truth));
+    }
+}
+
+/// A lamp close before one of two walls of different depth: its light falls off within a pixel, and its shadow line too.
+Scene lampBeforeWalls() {
+    Scene scene;
+    const uint32_t grey = addMaterial(scene, glm::vec3(0.5f));
+    addQuad(scene, {-0.5f, -0.5f, -0.4f}, {1, 0, 0}, {0, 1, 0}, grey);
+    addQuad(scene, {0.02f, -0.2f, 0.0f}, {0.2f, 0, 0}, {0, 0.2f, 0}, grey);
+    scene.lights.push_back(pointLight({-0.2f, 0.1f, -0.397f}, glm::vec3(1.0f)));
+    scene.lights.push_back(pointLight({0.3f, 0.3f, 0.2f}, glm::vec3(1.0f)));
+    addCamera(scene, {0.0f, 0.0f, 0.6f}, {0.05f, -0.05f, 0.0f}, 0.7f);
+    return finished(std::move(scene));
+}
+
+// Light that has no noise is not borrowed: a frame of four points is four frames of one.
+TEST_F(VisibilitySamples, AskLightsWithoutNoiseAtEveryPoint) {
+    const Scene scene = lampBeforeWalls();
+    RenderSettings one = filteredSettings(1);
+    one.castShadows = true;
+    one.shadowRays = 4;
+    one.vplCount = 16;
+    one.bounceCount = 2;
+    for (Lighting lighting : {Lighting::Both, Lighting::Global}) {
+        SCOPED_TRACE(name(lighting));
+        one.lighting = lighting;
+        RenderSettings four = one;
+        four.visibilitySamples = 4;
+        const Image truth = render(scene, one, 64);
+        const double error = rootMeanSquare(render(scene, four, 16), truth);
+        EXPECT_LT(error, 1.2 * rootMeanSquare(render(scene, one, 16), truth));
+        EXPECT_GT(meanOf(truth), 0.0);
+    }
+}
+
+TEST_F(VisibilitySamples, TheSameSeedGivesTheSameBytes) {
+    const Scene scene = everyKindOfLight();
+    const Image first = render(scene, filteredSettings(3), 2);
+    EXPECT_TRUE(sameBits(render(scene, filteredSettings(3), 2), first));
+    EXPECT_FALSE(sameBits(render(scene, filteredSettings(2), 2), first));
+}
+
+TEST(VisibilitySampleNumbers, PointsOfAllFramesAreOneSequence) {
+    for (const uint32_t count : {1u, 3u, 4u}) {
+        std::set<uint32_t> numbers;
+        std::set<uint32_t> firstPlaces;
+        for (uint32_t frame = 0; frame < 64; ++frame) {
+            firstPlaces.insert(numberOfPoint(count, frame, 0) % count);
+            for (uint32_t point = 0; point < count; ++point) numbers.insert(numberOfPoint(count, frame, point));
+        }
+        EXPECT_EQ(numbers.size(), 64u * count);
+        EXPECT_EQ(*numbers.rbegin(), 64u * count - 1);
+        EXPECT_EQ(firstPlaces.size(), count);
+    }
+    EXPECT_EQ(numberOfPoint(1, 17, 0), 17u);
+}
+
+TEST(VisibilitySampleNumbers, FurtherPointsComeToAnEnd) {
+    EXPECT_EQ(visibilitySamples(4, 0), 4u);
+    EXPECT_EQ(visibilitySamples(4, 1u << 10), 1u);
+    EXPECT_EQ(visibilitySamples(1, 0), 1u);
+}
+
+}  // namespace
+}  // namespace manylight::test
