@@ -20,7 +20,7 @@ struct FrameInputs {
     const GpuScene& gpuScene;
     uint32_t frame = 0;  // frames before this one
     uint32_t subgroupSize = 32;
-    uint32_t pixelsPerInvocation = 4;  // of the gather without shadows
+    uint32_t pixelsPerInvocation = 4;    // of the gather without shadows
     std::vector<SeenPoint> points = {};  // the first is that of the scene's handles; see visibilitySamplesOf()
     glm::vec3 environmentRadiance{0.0f};
     bool gbufferByRays = false;
@@ -32,8 +32,9 @@ struct TechniqueResult {
     ImageHandle radiance;
     std::optional<ImageHandle> depth = std::nullopt;  // a path tracer has none
     std::optional<BufferHandle> vpls = std::nullopt;
-    std::optional<ImageHandle> cutOff = std::nullopt;  // radiance that the bound on the geometry term took; deferred only
-    std::optional<GBuffer> gbuffer = std::nullopt;         // deferred only
+    std::optional<ImageHandle> cutOff =
+        std::nullopt;                               // radiance that the bound on the geometry term took; deferred only
+    std::optional<GBuffer> gbuffer = std::nullopt;  // deferred only
 };
 
 }  // namespace manylight

@@ -87,10 +87,9 @@ ImageHandle addGather(FrameGraph& graph, SceneHandles& scene, const FrameInputs&
                       const LightsOfFrame& lights, const VplLightOptions& gather, std::optional<ImageHandle> radiance) {
     const RenderSettings& settings = inputs.settings;
     const bool asksAll = settings.interleave == 1 && !resamples(settings);
-    const ImageHandle light = asksAll
-                                  ? addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance,
-                                                settings.width, settings.height)
-                                  : addSomeVpls(graph, scene, inputs, gbuffer, lights, false, false, radiance);
+    const ImageHandle light = asksAll ? addVplLight(graph, scene, inputs.plan, gbuffer, lights.vpls, gather, radiance,
+                                                    settings.width, settings.height)
+                                      : addSomeVpls(graph, scene, inputs, gbuffer, lights, false, false, radiance);
     return giveBack(graph, scene, inputs, gbuffer, lights, light, false);
 }
 
@@ -211,10 +210,10 @@ TechniqueResult declareInstantRadiosity(FrameGraph& graph, SceneHandles& scene, 
         radiance = addFilteredRadiance(graph, scene, inputs, gbuffer, lights);
     } else {
         if (settings.lighting != Lighting::Global)
-            radiance = addDirectLight(graph, scene, inputs.plan, gbuffer,
-                                      {.lightCount = lights.lightCount, .castShadows = settings.castShadows}, width,
-                                      height)
-                           .radiance;
+            radiance =
+                addDirectLight(graph, scene, inputs.plan, gbuffer,
+                               {.lightCount = lights.lightCount, .castShadows = settings.castShadows}, width, height)
+                    .radiance;
         if (lights.vplCount > 0 || !radiance)
             radiance = addGather(graph, scene, inputs, gbuffer, lights, gather, radiance);
     }

@@ -15,7 +15,7 @@ constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tel
 constexpr uint32_t kLevels = 3;
 constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
 constexpr uint32_t kFramesWithMorePoints = 16;
-constexpr double kWholeFrames = 4.0;     // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
+constexpr double kWholeFrames = 4.0;  // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
 
 float shareOfRadius(uint32_t frame) {
     return static_cast<float>(std::pow(std::min(1.0, kWholeFrames / (frame + 1.0)), 1.0 / 6.0));

@@ -26,8 +26,8 @@ struct ReconstructionSchedule {
 /// filtered. `frame`: how many there were before.
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame);
 
-/// Of light of area lights, whose samples neighbours draw independently: one level of the nearest pixels. Measured: with a
-/// second one shadows lose more than noise does. It fades by what may mix, and is gone after 256 frames.
+/// Of light of area lights, whose samples neighbours draw independently: one level of the nearest pixels. Measured:
+/// with a second one shadows lose more than noise does. It fades by what may mix, and is gone after 256 frames.
 ReconstructionSchedule areaLightSchedule(uint32_t frame);
 
 /// What --gather-step comes to: the largest number up to it that divides the period.
@@ -37,8 +37,8 @@ uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep);
 /// to an end, and what they did fades with the mean over frames.
 uint32_t visibilitySamples(uint32_t asked, uint32_t frame);
 
-/// Number of such a point (0: where light is found) in the sequence that all points of all frames come from. Which place
-/// of its frame is first is left to chance, or light would be found in one part of the pixel only.
+/// Number of such a point (0: where light is found) in the sequence that all points of all frames come from. Which
+/// place of its frame is first is left to chance, or light would be found in one part of the pixel only.
 uint32_t numberOfPoint(uint32_t pointCount, uint32_t frame, uint32_t point);
 
 /// Light of `gathered` (RGBA32F, of addVplResample() for reconstruction, or of addDirectLight() apart), filtered.

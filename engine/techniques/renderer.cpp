@@ -29,7 +29,8 @@
 namespace manylight {
 namespace {
 
-constexpr uint32_t kMostLightsOfPoints = 8;  // without noise: beyond, asking all at every point costs more than it gives
+constexpr uint32_t kMostLightsOfPoints =
+    8;                               // without noise: beyond, asking all at every point costs more than it gives
 constexpr float kNearPlane = 1e-5f;  // of scenes whose diagonal is in [1, 2)
 
 PhysicalBuffer makeFrameConstants(gpu::Device& device) {
@@ -322,8 +323,8 @@ void Renderer::writeConstantsOfPoints(const shared::FrameConstants& first) {
         shared::FrameConstants frame = first;
         frame.seed = shared::hashCombine(first.seed, i + 1);  // of surfaces that let rays through by chance
         frame.pixelOffset = offsetOfPoint(i + 1, first.frame, first.seed);
-        frame.clipFromWorld = clipFromWorld(
-            view(), kNearPlane, 2.0f * (glm::vec2(0.5f) - frame.pixelOffset) / glm::vec2(frame.imageSize));
+        frame.clipFromWorld = clipFromWorld(view(), kNearPlane,
+                                            2.0f * (glm::vec2(0.5f) - frame.pixelOffset) / glm::vec2(frame.imageSize));
         pixelOffsets_.push_back(frame.pixelOffset);
         std::memcpy(constantsOfPoints_[i].buffer.mapped(), &frame, sizeof(frame));
     }

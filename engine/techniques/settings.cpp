@@ -155,7 +155,8 @@ const std::vector<Setting>& settingTable() {
     using C = const RenderSettings&;
     static const std::vector<Setting> table = {
         {{"quality", "draft|interactive|final",
-          "presets of --interleave, --shadow-rays, --filter, --visibility-samples, --clamp, --light-samples and, if it is not given, --vpls; "
+          "presets of --interleave, --shadow-rays, --filter, --visibility-samples, --clamp, --light-samples and, if it "
+          "is not given, --vpls; "
           "those given beside it count"},
          [](S& s, T o, T v) { applyQuality(s, parseName(kQualities, o, v)); },
          [](C s) -> Json { return name(s.quality); }},

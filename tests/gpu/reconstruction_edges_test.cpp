@@ -95,7 +95,7 @@ TEST_F(ReconstructionEdges, DoesNotCarryLightAcrossEdgesAndKeepsTheMeanOfAWall) 
     }
     EXPECT_GT(onPlate, 100u);
     EXPECT_GT(wholeSum, 0.0);
-    EXPECT_NEAR(filteredSum, wholeSum, 0.01 * wholeSum);
+    EXPECT_NEAR(filteredSum, wholeSum, 0.01 * wholeSum);  // slopes cancel, how they bend does not
     EXPECT_LT(filteredError, 0.2 * patternError);  // 0.13: light falls steeply beside the VPLs
 }
 

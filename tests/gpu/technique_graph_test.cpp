@@ -17,6 +17,7 @@ std::string graphOf(Technique technique, ClampMode clamp = ClampMode::Off, int b
     settings.clamp = clamp;
     settings.interleave = interleave;
     settings.filter = interleave > 1 ? Filter::Atrous : Filter::Off;
+    settings.visibilitySamples = 2;  // with a filter
     Renderer renderer(device(), scene, settings, pipelines());
     renderer.keepDisplay();
     return renderer.dumpGraph().text;

@@ -31,8 +31,7 @@ struct ExpectedStruct {
     uint32_t size;
 };
 
-#define MEMBER(type, member) \
-    { #member, static_cast < uint32_t>(offsetof(shared::type, member)) }
+#define MEMBER(type, member) {#member, static_cast<uint32_t>(offsetof(shared::type, member))}
 
 const std::map<std::string, ExpectedStruct> kStructs = {
     {"FrameConstants",
@@ -64,7 +63,8 @@ const std::map<std::string, ExpectedStruct> kStructs = {
        MEMBER(FrameConstants, areaEnvironmentProbability),
        MEMBER(FrameConstants, environmentSize),
        MEMBER(FrameConstants, environmentCellSide),
-       MEMBER(FrameConstants, environmentTurn), MEMBER(FrameConstants, pixelShare)},
+       MEMBER(FrameConstants, environmentTurn),
+       MEMBER(FrameConstants, pixelShare)},
       sizeof(shared::FrameConstants)}},
     {"LightData",
      {{MEMBER(LightData, position), MEMBER(LightData, intensity), MEMBER(LightData, direction), MEMBER(LightData, kind),
