@@ -1,5 +1,6 @@
 // Further points at which a frame sees pixels: outlines get smoother, light stays what it was.
 #include "engine/techniques/reconstruction.h"
+#include "shaders/shared/sobol.h"
 #include "tests/gpu/gpu_test.h"
 #include "tests/gpu/test_scenes.h"
 
@@ -78,8 +79,8 @@ Scene lampBeforeWalls() {
     return finished(std::move(scene));
 }
 
-// Light that has no noise is not borrowed, or its steep falls would be: all light is there, and errors are no larger than
-// with one point (by a fifth, for chance).
+// Light that has no noise is not borrowed, or its steep falls would be: all light is there, and errors are no larger
+// than with one point (by a fifth, for chance).
 TEST_F(VisibilitySamples, AskLightsWithoutNoiseAtEveryPoint) {
     const Scene scene = lampBeforeWalls();
     RenderSettings one = filteredSettings(1);
@@ -96,6 +97,47 @@ TEST_F(VisibilitySamples, AskLightsWithoutNoiseAtEveryPoint) {
         const double error = rootMeanSquare(render(scene, four, 16), truth);
         EXPECT_LT(error, 1.2 * rootMeanSquare(render(scene, one, 16), truth));
         EXPECT_GT(meanOf(truth), 0.0);
+    }
+}
+
+/// A wall that fills the picture, lit by VPLs on another beside it: the nearer, the brighter.
+Scene wallLitFromTheSide() {
+    Scene scene;
+    const uint32_t grey = addMaterial(scene, glm::vec3(0.5f));
+    addQuad(scene, {-0.5f, -0.5f, -0.4f}, {1, 0, 0}, {0, 1, 0}, grey);
+    addQuad(scene, {-0.5f, -0.5f, -0.4f}, {0, 1, 0}, {0, 0, 0.5f}, grey);
+    scene.lights.push_back(spotLight({0.4f, 0.2f, 0.0f}, {-1, 0, 0}, glm::vec3(1.0f), 0.2f, 0.2f));
+    addCamera(scene, {0.0f, 0.0f, 0.3f}, {0.0f, 0.0f, -0.4f}, 0.5f);
+    return finished(std::move(scene));
+}
+
+// Of a wall of one albedo, two points show its light at the centre of the pixel, which one point shows, and what the
+// other has borrowed: by the slopes of the first picture, the light where that other one is.
+TEST_F(VisibilitySamples, BorrowLightFromWhereTheyAre) {
+    const Scene scene = wallLitFromTheSide();
+    for (const uint32_t seed : {1u, 2u, 3u}) {
+        RenderSettings settings = filteredSettings(1);
+        settings.jitter = false;
+        settings.lighting = Lighting::Global;
+        settings.seed = seed;
+        const Image one = render(scene, settings);
+        settings.visibilitySamples = 2;
+        const Image two = render(scene, settings);
+        const glm::vec2 off = shared::owenScrambledSobol2d(numberOfPoint(2, 0, 1), seed) - glm::vec2(0.5f);
+        double product = 0.0;
+        double square = 0.0;
+        for (uint32_t y = 1; y + 1 < settings.height; ++y)
+            for (uint32_t x = 1; x + 1 < settings.width; ++x) {
+                const size_t i = 3 * (size_t{y} * settings.width + x);
+                const size_t below = 3 * size_t{settings.width};
+                const double slopeX = 0.5 * (double{one.texels[i + 3]} - double{one.texels[i - 3]});
+                const double slopeY = 0.5 * (double{one.texels[i + below]} - double{one.texels[i - below]});
+                const double expected = double{off.x} * slopeX + double{off.y} * slopeY;
+                product += 2.0 * (double{two.texels[i]} - double{one.texels[i]}) * expected;
+                square += expected * expected;
+            }
+        ASSERT_GT(square, 0.0);
+        EXPECT_NEAR(product / square, 1.0, 0.25) << seed;  // weights of nine pixels make up no plane exactly
     }
 }
 
