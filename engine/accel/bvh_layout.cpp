@@ -77,7 +77,8 @@ shared::BvhNode encodeBoxes(std::span<const Box> boxes) {
             .lowerZ = axes[2].lower,
             .upperZ = axes[2].upper,
             .firstChildAndLeaves = 0,
-            .firstTriangle = 0};
+            .firstTriangle = 0,
+            .padding = glm::uvec4(0u)};
 }
 
 float halfArea(const Box& box) {

@@ -20,7 +20,7 @@ ConstantValues constantValues(const Specialisation& ofPass, const TraversalTunin
                              {shared::kConstantStackInRegisters, traversal.stackInRegisters},
                              {shared::kConstantNodesAnyHit, traversal.nodesAnyHit},
                              {shared::kConstantNodesClosestHit, traversal.nodesClosestHit},
-                             {shared::kConstantClosestInRegisters, traversal.closestInRegisters}};
+                             {shared::kConstantClosestRegisters, traversal.closestRegisters}};
     for (uint32_t i = 0; i < ofPass.size(); ++i)
         if (ofPass[i] != kAsInShader) values[i] = ofPass[i];
     return values;

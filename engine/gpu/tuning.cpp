@@ -59,7 +59,11 @@ uint32_t valueOf(const Tunable& tunable, const Tuning& tuning) {
 }
 
 TraversalTuning forTreesOfDepth(TraversalTuning tuning, uint32_t depth) {
-    if (depth > shared::kBvhRegisterStackSize + 1) tuning.closestInRegisters = 0;
+    tuning.closestRegisters = 0;
+    if (tuning.closestInRegisters == 0) return tuning;
+    // As few as will do: every step moves all of them.
+    for (const uint32_t registers : {shared::kBvhRegisterStackSize, shared::kBvhShortStackSize})
+        if (depth <= registers + 1) tuning.closestRegisters = registers;
     return tuning;
 }
 

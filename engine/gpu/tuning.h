@@ -17,6 +17,7 @@ struct TraversalTuning {
     uint32_t nodesAnyHit = 12;      // that an invocation visits before it tests the triangles of a leaf at the latest
     uint32_t nodesClosestHit = 8;
     uint32_t closestInRegisters = 1;  // the stack of closest-hit queries, where the tree is not too deep for that
+    uint32_t closestRegisters = 0;    // how many words of it then are; no tunable, see forTreesOfDepth()
     auto operator<=>(const TraversalTuning&) const = default;
 };
 

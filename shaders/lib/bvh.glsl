@@ -16,8 +16,8 @@ layout(set = 0, binding = kBindingTriangles, rgba32ui) readonly uniform uimageBu
 // Whether any-hit queries keep their stack in registers, as SIMD code for CPUs likes it: a store that only some lanes
 // make is a branch for each lane there (10 % of the time for incoherent rays on lavapipe).
 layout(constant_id = kConstantStackInRegisters) const bool kBvhStackInRegisters = true;
-// Likewise closest-hit queries, of trees no deeper than kBvhRegisterStackSize + 1 nodes.
-layout(constant_id = kConstantClosestInRegisters) const bool kBvhClosestInRegisters = false;
+// Likewise of closest-hit queries: how many words of it are registers, enough for the tree, or 0.
+layout(constant_id = kConstantClosestRegisters) const uint kBvhClosestRegisters = 0u;
 
 // An invocation at a leaf waits until its subgroup's others are at leaves too, but for no more nodes than these.
 layout(constant_id = kConstantNodesAnyHit) const int kMostNodesAny = 12;
@@ -72,20 +72,22 @@ void beginTraversal(int top) {
     bvhFourthFour = uvec4(0u);
 }
 
-// Puts aside, or takes back the last. Reads and writes without a condition: branches cost SIMD lanes more.
-uint exchangeInMemory(uint siblings, bool pushes, bool pops) {
+// Puts aside, or takes back what was put aside last, to go on with it instead of `next`. Reads and writes without a
+// condition: branches cost SIMD lanes more.
+uint exchangeInMemory(uint siblings, bool pushes, bool pops, uint next) {
     bvhStack[bvhTop] = siblings;
     const uint last = bvhStack[max(bvhTop - 1, 0)];
     bvhTop += pushes ? 1 : (pops ? -1 : 0);
-    return last;
+    return pops ? last : next;
 }
 
-uint exchangeInRegisters(uint siblings, bool pushes, bool pops, bool usesFourth) {
+uint exchangeInRegisters(uint siblings, bool pushes, bool pops, uint next, bool usesFourth) {
     uvec4 a = bvhFirstFour;
     uvec4 b = bvhSecondFour;
     uvec4 c = bvhThirdFour;
     uvec4 d = usesFourth ? bvhFourthFour : uvec4(0u);
-    const uint last = a.x;
+    // Before the registers move: what is read afterwards would be copied in every step.
+    const uint last = pops ? a.x : next;
     a = pops ? uvec4(a.y, a.z, a.w, b.x) : a;
     b = pops ? uvec4(b.y, b.z, b.w, c.x) : b;
     c = pops ? uvec4(c.y, c.z, c.w, d.x) : c;
@@ -125,10 +127,14 @@ TriangleHit testTriangle(TraversalRay ray, uint triangle, float tMax) {
 uint nextInSlotOrder(uint children, uint siblings, bool inRegisters) {
     const bool pushes = hasSlots(children) && hasSlots(siblings);
     const bool pops = !hasSlots(children) && !hasSlots(siblings);
-    const uint last =
-        inRegisters ? exchangeInRegisters(siblings, pushes, pops, false) : exchangeInMemory(siblings, pushes, pops);
-    return hasSlots(children) ? children : (hasSlots(siblings) ? siblings : last);
+    const uint next = hasSlots(children) ? children : siblings;
+    return inRegisters ? exchangeInRegisters(siblings, pushes, pops, next, false)
+                       : exchangeInMemory(siblings, pushes, pops, next);
 }
+
+// The loops over nodes end where it is known that they do: an answer kept for the beginning of the next step would cost SIMD
+// lanes more. But no loop here may end there alone: lavapipe lets lanes that have left it see what the others do to
+// variables afterwards, unless there are two ways out.
 
 // Does the ray meet a triangle below `root` at t in (0, tEnd)?
 // `siblings`: node of the first inner child * 256 | slots still to visit, which is in the order of slots.
@@ -140,16 +146,14 @@ bool occludedInTree(TraversalRay ray, float tEnd, uint number, uint root, int to
     bool isHit = false;
     bool isDone = false;
     while (!isDone) {
-        bool descends = !hasSlots(leafSlots);
-        int count = 0;
-        while (descends) {
+        const int most = hasSlots(leafSlots) ? 0 : kMostNodesAny;
+        for (int count = 0; count < most; ++count) {
             const uint bit = lowestSlotBit(siblings);
             const NodeVisit visit = visitNode(ray, (siblings >> 8) + slotOfBit(bit), tEnd);
             leafSlots = visit.leafSlots;
             firstTriangle = visit.firstTriangle;
             siblings = nextInSlotOrder((visit.firstChild << 8) | visit.innerSlots, siblings - bit, kBvhStackInRegisters);
-            ++count;
-            descends = hasSlots(siblings) && !hasSlots(leafSlots) && count < kMostNodesAny;
+            if (!hasSlots(siblings) || hasSlots(leafSlots)) break;
         }
         const LeafTriangles triangles = lowestLeaf(leafSlots, firstTriangle);
         const TriangleHit a = testTriangle(ray, triangles.first, tEnd);
@@ -178,13 +182,13 @@ Hit nearer(Hit best, TriangleHit hit, uint triangle, float tMax) {
 
 // Where to go on after a visit: the nearest of the inner children that the ray meets, if there is any, or the first of
 // `siblings`. Whose turn it is after that: the other children, the siblings left, or those put aside last.
-uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings, bool inRegisters) {
+uint nextInOrderOfDistance(uint others, bool hasInner, uint siblings, uint registers) {
     const uint left = hasInner ? siblings : withoutFront(siblings);
     const bool goesDown = hasInner && queueLength(others) != 0u;
     const bool goesUp = !hasInner && queueLength(left) == 0u;
-    const uint last = inRegisters ? exchangeInRegisters(siblings, goesDown, goesUp, true)
-                                  : exchangeInMemory(siblings, goesDown, goesUp);
-    return goesDown ? others : (goesUp ? last : left);
+    const uint next = goesDown ? others : left;
+    return registers > 0u ? exchangeInRegisters(siblings, goesDown, goesUp, next, registers > kBvhShortStackSize)
+                          : exchangeInMemory(siblings, goesDown, goesUp, next);
 }
 
 // The nearer of `best` and what is below `root`, if that is to be visited at all. `numberOffset` is added to what
@@ -200,9 +204,8 @@ Hit closestHitInTree(TraversalRay ray, bool visitsRoot, Hit best, float tMax, ui
     uint firstTriangle = 0u;
     bool isDone = false;
     while (!isDone) {
-        bool descends = hasNode && !hasSlots(leafSlots);
-        int count = 0;
-        while (descends) {
+        const int most = hasNode && !hasSlots(leafSlots) ? kMostNodesClosest : 0;
+        for (int count = 0; count < most; ++count) {
             const NodeVisit visit = visitNode(ray, node, best.t);
             leafSlots = visit.leafSlots;
             firstTriangle = visit.firstTriangle;
@@ -210,9 +213,8 @@ Hit closestHitInTree(TraversalRay ray, bool visitsRoot, Hit best, float tMax, ui
             const NearestFirst children = nearestFirst(visit);
             hasNode = hasInner || queueLength(siblings) != 0u;
             node = hasInner ? children.nearest : queueFront(siblings);
-            siblings = nextInOrderOfDistance(children.others, hasInner, siblings, kBvhClosestInRegisters);
-            ++count;
-            descends = hasNode && !hasSlots(leafSlots) && count < kMostNodesClosest;
+            siblings = nextInOrderOfDistance(children.others, hasInner, siblings, kBvhClosestRegisters);
+            if (!hasNode || hasSlots(leafSlots)) break;
         }
         const LeafTriangles triangles = lowestLeaf(leafSlots, firstTriangle);
         TriangleHit a = testTriangle(ray, triangles.first, best.t);

@@ -92,7 +92,7 @@ Hit closestHitOfInstances(vec3 origin, vec3 direction, Hit best, float tMax, uin
             const NearestFirst children = nearestFirst(visit);
             hasNode = hasInner || queueLength(siblings) != 0u;
             node = hasInner ? children.nearest : queueFront(siblings);
-            siblings = nextInOrderOfDistance(children.others, hasInner, siblings, false);
+            siblings = nextInOrderOfDistance(children.others, hasInner, siblings, 0u);
             descends = hasNode && !hasSlots(leafSlots);
         }
         const bool meetsOne = hasSlots(leafSlots);

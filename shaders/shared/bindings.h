@@ -6,7 +6,7 @@
 MANYLIGHT_SHARED_BEGIN
 
 MANYLIGHT_CONSTANT(int, kBindingFrame, 0);              // uniform: FrameConstants
-MANYLIGHT_CONSTANT(int, kBindingBvhNodes, 1);           // storage texel buffer, RGBA32_UINT: three texels per BvhNode
+MANYLIGHT_CONSTANT(int, kBindingBvhNodes, 1);           // storage texel buffer, RGBA32_UINT: kBvhTexelsPerNode each
 MANYLIGHT_CONSTANT(int, kBindingTriangles, 2);          // storage texel buffer, RGBA32_UINT: three texels per triangle
 MANYLIGHT_CONSTANT(int, kBindingTriangleMaterials, 3);  // storage: uint per triangle
 MANYLIGHT_CONSTANT(int, kBindingTriangleUvs, 4);        // storage: kUvSets vec2 per corner of a triangle

@@ -1,4 +1,4 @@
-// The BVH as rays read it: four children a node, 48 bytes, their boxes in 8-bit steps of a frame of the node's own.
+// The BVH as rays read it: four children a node, 64 bytes, which is one cache line, their boxes in 8-bit steps of a frame of the node's own.
 #ifndef MANYLIGHT_SHARED_BVH_H
 #define MANYLIGHT_SHARED_BVH_H
 #include "shaders/shared/language.h"
@@ -25,14 +25,16 @@ struct BvhNode {
     // Triangles of the leaf in slot s start at firstTriangle + s + min(s, slots before the leaves of one triangle), in
     // 32 bits: as if two triangles of each inner child came before.
     uint firstTriangle;
+    uvec4 padding;
 };
 
-MANYLIGHT_CONSTANT(int, kBvhTexelsPerNode, 3);
+MANYLIGHT_CONSTANT(int, kBvhTexelsPerNode, 4);  // three are read
 MANYLIGHT_CONSTANT(uint, kBvhWidth, 4u);
 MANYLIGHT_CONSTANT(uint, kBvhMaxLeafSize, 2u);         // a traversal tests two at once, without a loop
 MANYLIGHT_CONSTANT(int, kBvhStackSize, 32);            // more than the depth of any BVH that buildBvh() returns
 MANYLIGHT_CONSTANT(uint, kBvhShortStackSize, 12u);     // enough for visits in the order of slots, see Bvh::putAside
-// Enough for closest-hit queries of a tree with one node more on its longest way down: one group of siblings a node.
+// The most that closest-hit queries may have in registers; so many are enough for a tree with one node more on its longest
+// way down, as they put one group of siblings aside a node.
 MANYLIGHT_CONSTANT(uint, kBvhRegisterStackSize, 16u);
 MANYLIGHT_CONSTANT(uint, kBvhMaxTriangles, 3u << 23);  // as many give at most 2^24 nodes, as bits 0-23 can tell
 

@@ -11,7 +11,7 @@ MANYLIGHT_CONSTANT(int, kConstantGroupHeight, 51);
 MANYLIGHT_CONSTANT(int, kConstantStackInRegisters, 52);
 MANYLIGHT_CONSTANT(int, kConstantNodesAnyHit, 53);
 MANYLIGHT_CONSTANT(int, kConstantNodesClosestHit, 54);
-MANYLIGHT_CONSTANT(int, kConstantClosestInRegisters, 55);
+MANYLIGHT_CONSTANT(int, kConstantClosestRegisters, 55);
 
 // Where threads lie along x alone, as full subgroups of any size want it, a workgroup of 32, 64, 128 or 256 shades a tile
 // of 8 x 4, 8 x 8, 16 x 8 or 16 x 16 pixels. See shaders/lib/tile.glsl.

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 namespace manylight::shared {
@@ -28,7 +29,7 @@ TexelBuffer bvhNodes;
 TexelBuffer bvhTriangles;
 // Specialisation constants in shaders.
 bool kBvhStackInRegisters = true;
-bool kBvhClosestInRegisters = false;
+uint kBvhClosestRegisters = 0u;
 int kMostNodesAny = 12;
 int kMostNodesClosest = 8;
 uvec4 imageLoad(const TexelBuffer& buffer, int index) {
@@ -72,9 +73,9 @@ class Traversal {
         const auto isSame = [](const shared::Hit& a, const shared::Hit& b) {
             return a.t == b.t && a.triangle == b.triangle && a.barycentrics == b.barycentrics;
         };
-        shared::kBvhClosestInRegisters = false;
+        shared::kBvhClosestRegisters = 0;
         const shared::Hit byMemory = shared::closestHit(ray.origin, ray.direction, ray.tMax);
-        shared::kBvhClosestInRegisters = gpu::forTreesOfDepth({}, bvh_.depth).closestInRegisters == 1;
+        shared::kBvhClosestRegisters = gpu::forTreesOfDepth({}, bvh_.depth).closestRegisters;
         const shared::Hit hit = shared::closestHit(ray.origin, ray.direction, ray.tMax);
         EXPECT_TRUE(isSame(hit, byMemory));
         return hit;
@@ -185,16 +186,18 @@ TEST(BvhTraverse, DeepTreesDoNotOverflowTheStacks) {
     expectSameAsBruteForce(Traversal(comb.scene, layoutTree(comb.tree)), raysThrough(comb, 20000));
 }
 
-// Registers are enough for the deepest trees that closest-hit queries are let use them for.
+// Registers are enough for the deepest trees that closest-hit queries are let use them for, twelve or sixteen of them.
 TEST(BvhTraverse, TreesOfEveryDepth) {
-    uint32_t deepestInRegisters = 0;
+    std::map<uint32_t, uint32_t> deepest;  // by the number of registers
     for (uint32_t levels = 2; levels < 60; levels += 2) {
         const test::Comb comb = test::makeComb(levels);
         Bvh bvh = layoutTree(comb.tree);
-        if (gpu::forTreesOfDepth({}, bvh.depth).closestInRegisters == 1) deepestInRegisters = bvh.depth;
+        deepest[gpu::forTreesOfDepth({}, bvh.depth).closestRegisters] = bvh.depth;
         expectSameAsBruteForce(Traversal(comb.scene, std::move(bvh)), raysThrough(comb, 2000));
     }
-    EXPECT_EQ(deepestInRegisters, shared::kBvhRegisterStackSize + 1);
+    EXPECT_EQ(deepest.size(), 3u);
+    for (const uint32_t registers : {shared::kBvhShortStackSize, shared::kBvhRegisterStackSize})
+        EXPECT_EQ(deepest[registers], registers + 1);
 }
 
 TEST(BvhTraverse, QueuesAreInOrderOfDistance) {
