@@ -22,8 +22,8 @@ BestAndMedian ratio(const std::vector<double>& embree, const std::vector<double>
 
 std::optional<RayTargets> rayTargets(size_t triangleCount) {
     // The bounds are half an order of magnitude around each size.
-    if (triangleCount >= 32'000 && triangleCount < 130'000) return RayTargets{65'000, 0.45, 0.45};
-    if (triangleCount >= 130'000 && triangleCount < 520'000) return RayTargets{260'000, 0.30, 0.35};
+    if (triangleCount >= 32'000 && triangleCount < 130'000) return RayTargets{65'000, 0.60, 0.55, 0.55};
+    if (triangleCount >= 130'000 && triangleCount < 520'000) return RayTargets{260'000, 0.50, 0.45, 0.45};
     return std::nullopt;
 }
 
@@ -39,6 +39,7 @@ std::vector<RaySetSummary> summarise(const RaysRun& run) {
         if (run.softwareDevice) summary.cpuRatio = ratio(set.embree.cpu, set.ours.cpu);
         if (targets && set.name == "shadow, coherent") summary.target = targets->coherent;
         if (targets && set.name == "shadow, incoherent") summary.target = targets->incoherent;
+        if (targets && set.name == "bounce" && set.kind == RayKind::ClosestHit) summary.target = targets->bounce;
         summaries.push_back(summary);
     }
     return summaries;

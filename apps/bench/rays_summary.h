@@ -24,6 +24,7 @@ struct RayTargets {
     size_t sceneSize = 0;
     double coherent = 0.0;
     double incoherent = 0.0;
+    double bounce = 0.0;  // closest hit
 };
 std::optional<RayTargets> rayTargets(size_t triangleCount);
 

@@ -132,9 +132,9 @@ uint nextInSlotOrder(uint children, uint siblings, bool inRegisters) {
                        : exchangeInMemory(siblings, pushes, pops, next);
 }
 
-// The loops over nodes end where it is known that they do: an answer kept for the beginning of the next step would cost SIMD
-// lanes more. But no loop here may end there alone: lavapipe lets lanes that have left it see what the others do to
-// variables afterwards, unless there are two ways out.
+// Loops over nodes end where it is known that they do: an answer kept for the beginning of the next step would cost SIMD lanes
+// more. They have a second way out at their beginning, and must: out of a loop that ends at its end alone, Mesa 22.3's
+// lavapipe lets a lane take what other lanes have assigned after it left.
 
 // Does the ray meet a triangle below `root` at t in (0, tEnd)?
 // `siblings`: node of the first inner child * 256 | slots still to visit, which is in the order of slots.
