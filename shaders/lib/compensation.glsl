@@ -6,12 +6,14 @@
 #ifndef MANYLIGHT_COMPENSATION_GLSL
 #define MANYLIGHT_COMPENSATION_GLSL
 #include "shaders/lib/glossy_vpls.glsl"
+#include "shaders/lib/reservoir.glsl"
 #include "shaders/lib/shade_lights.glsl"
 #include "shaders/lib/vpl_texels.glsl"
 
-// At y few lights are asked: what is cut off is a small part of the picture, and so is the noise in it.
-const uint kLightsAsked = 1u;
-const uint kVplsAsked = 2u;
+// At y one ray goes to emitters and one to VPLs: each to one of some candidates, drawn in proportion to what they would give
+// (Talbot et al. 2005).
+const uint kEmitterCandidates = 4u;
+const uint kVplCandidates = 16u;
 const uint kMostCompensations = 64u;  // one after the other; each needs a surface within its short reach
 const uint kDimensionCompensation = 0x20000u;
 const uint kDimensionsPerCompensation = 8u;
@@ -25,13 +27,13 @@ vec3 cutOffAtY(Receiver y, vec3 summand, vec3 toLight, float product) {
     return isGlossy(y.bsdf.f90) ? summand * shareCutOff(product * peakTowards(y, toLight)) : summand;
 }
 
-// One or more emitters by their power, from the lights of direct light: an estimate of all of them.
-vec3 sumOfEmitters(Receiver y, float product, uint seed, uint dimension) {
-    vec3 sum = vec3(0.0);
-    for (uint s = 0u; s < kLightsAsked; ++s) {
-        const uint index = frame.frame * kLightsAsked + s;
+// Candidates by their power, from the lights of direct light.
+vec3 sumOfEmitters(Receiver y, float product, uint seed, uint dimension, float u) {
+    Reservoir reservoir = emptyReservoir(u);
+    for (uint s = 0u; s < kEmitterCandidates; ++s) {
+        const uint index = frame.frame * kEmitterCandidates + s;
         const Emitter emitter = loadEmitter(chooseEmitter(sampleBits(index, seed, dimension).x, false));
-        const float probability = emitter.probability * float(kLightsAsked);
+        const float probability = emitter.probability * float(kEmitterCandidates);
         const bool isArea = emitter.kind == kEmitterTriangle || emitter.kind == kEmitterEnvironment;
         LightData light = deltaLight(emitter);
         if (isArea)
@@ -40,9 +42,9 @@ vec3 sumOfEmitters(Receiver y, float product, uint seed, uint dimension) {
         else light.intensity *= 1.0 / probability;
         const vec3 direction = directionTo(light, y);
         const vec3 reflected = summand(y, irradianceOfLight(y, light), direction);
-        sum += arriving(cutOffAtY(y, reflected, direction, product), y, light);
+        offer(reservoir, light, cutOffAtY(y, reflected, direction, product));
     }
-    return sum;
+    return arrivingFrom(reservoir, y);
 }
 
 vec3 summandOfVpl(Receiver y, LightData vpl, uint i, float product) {
@@ -51,18 +53,17 @@ vec3 summandOfVpl(Receiver y, LightData vpl, uint i, float product) {
     return cutOffAtY(y, reflected, directionTo(vpl, y), product);
 }
 
-// A stratified few of the VPLs, bounded as everywhere. `room`: the bounces that y and those before it leave a VPL.
-vec3 sumOfVpls(Receiver y, float product, uint room, uint seed, uint dimension) {
-    vec3 sum = vec3(0.0);
-    const float u = sample2d(frame.frame, seed, dimension).x;
-    const float stride = float(frame.vplCount) / float(kVplsAsked);
-    for (uint s = 0u; s < kVplsAsked; ++s) {
-        const uint i = min(uint((float(s) + u) * stride), frame.vplCount - 1u);
+// Stratified candidates, bounded as everywhere. `room`: the bounces that y and those before it leave a VPL.
+vec3 sumOfVpls(Receiver y, float product, uint room, uint seed, uint dimension, float u) {
+    Reservoir reservoir = emptyReservoir(u);
+    const float place = sample2d(frame.frame, seed, dimension).x;
+    const float stride = float(frame.vplCount) / float(kVplCandidates);
+    for (uint s = 0u; s < kVplCandidates; ++s) {
+        const uint i = min(uint((float(s) + place) * stride), frame.vplCount - 1u);
         const LightData vpl = loadVpl(i);
-        const vec3 unshadowed = vpl.depth <= room ? summandOfVpl(y, vpl, i, product) * stride : vec3(0.0);
-        sum += arriving(unshadowed, y, vpl);
+        offer(reservoir, vpl, vpl.depth <= room ? summandOfVpl(y, vpl, i, product) * stride : vec3(0.0));
     }
-    return sum;
+    return arrivingFrom(reservoir, y);
 }
 
 // A direction from x, reflectance * cosine / density there, and the reflectance's peak.
@@ -117,8 +118,9 @@ vec3 compensation(Receiver x, uint seed) {
             throughput *= shareCutOff(product);
         }
 
-        const vec3 sum = sumOfEmitters(y, product, seed, dimension + 1u) +
-                         sumOfVpls(y, product, frame.bounceCount - bounce, seed, dimension + 3u);
+        const vec2 u = sample2d(frame.frame, seed, dimension + 7u);
+        const vec3 sum = sumOfEmitters(y, product, seed, dimension + 1u, u.x) +
+                         sumOfVpls(y, product, frame.bounceCount - bounce, seed, dimension + 3u, u.y);
         radiance += throughput * radianceFromSum(y, sum);
 
         const float survival = min(largestChannel(y.bsdf.diffuse + y.bsdf.f0), 1.0);
