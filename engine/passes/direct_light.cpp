@@ -26,13 +26,17 @@ DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         scene.status = pass.write(scene.status, Access::ComputeStorageReadWrite, shared::kBindingStatus);
         const Access access = adds ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite;
         direct.radiance = pass.write(direct.radiance, access, shared::kBindingRadiance);
-        if (direct.areaLight) direct.areaLight = pass.write(*direct.areaLight, access, shared::kBindingReconstructed);
+        const bool addsAreas = push.firstLight > 0;
+        if (direct.areaLight)
+            direct.areaLight =
+                pass.write(*direct.areaLight, addsAreas ? Access::ComputeStorageReadWrite : Access::ComputeStorageWrite,
+                           shared::kBindingReconstructed);
         gpu::Specialisation options = surfaceOptions(plan);
         options.insert(options.end(), {light.castShadows, 0u, adds});
         options = withEmitterOptions(options, plan);
         if (light.areasApart) {
             options.resize(40, gpu::kAsInShader);
-            options.push_back(VK_TRUE);
+            options.insert(options.end(), {VK_TRUE, addsAreas});
         }
         pass.execute([options, push, width, height](PassContext& context) {
             const gpu::Workgroup tile = gpu::tileOf(context.tuning().rayThreads);

@@ -4,6 +4,7 @@
 #include "engine/passes/gbuffer.h"
 #include "engine/techniques/settings.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace manylight {
@@ -21,10 +22,12 @@ struct FrameInputs {
     uint32_t frame = 0;  // frames before this one
     uint32_t subgroupSize = 32;
     uint32_t pixelsPerInvocation = 4;    // of the gather without shadows
-    std::vector<SeenPoint> points = {};  // the first is that of the scene's handles; see visibilitySamplesOf()
+    std::vector<SeenPoint> points = {};  // the first is that of the scene's handles; see visibilitySamples()
     glm::vec3 environmentRadiance{0.0f};
     bool gbufferByRays = false;
     bool keepsCutOff = false;  // TechniqueResult::cutOff is asked for
+
+    uint32_t pointCount() const { return std::max(static_cast<uint32_t>(points.size()), 1u); }
 };
 
 /// What a technique leaves: linear radiance, and the depth it saw.

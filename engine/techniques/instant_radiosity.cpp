@@ -108,69 +108,68 @@ ImageHandle addFilteredGather(FrameGraph& graph, SceneHandles& scene, const Fram
     return visibilityApart ? giveBack(graph, scene, inputs, gbuffer, lights, light, true) : light;
 }
 
-/// Emission and direct light, and what may be borrowed: light that has noise, filtered, of area lights and VPLs.
-struct FilteredFrame {
-    std::optional<ImageHandle> radiance;
-    std::optional<ImageHandle> light;
-};
-
-FilteredFrame addFilteredFrame(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs,
-                               const GBuffer& gbuffer, ImageHandle guide, const LightsOfFrame& lights) {
+/// Emission and direct light at one point of all pixels: light that has noise apart, filtered and demodulated.
+DirectLight addFilteredDirect(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs, const GBuffer& gbuffer,
+                              ImageHandle guide, const LightsOfFrame& lights, std::optional<ImageHandle> radiance) {
     const RenderSettings& settings = inputs.settings;
-    FilteredFrame frame;
-    if (settings.lighting != Lighting::Global) {
-        const ReconstructionSchedule schedule = areaLightSchedule(inputs.frame);
-        const bool samplesAreas = lights.lightCount > inputs.gpuScene.emitterTable.deltaLightCount;
-        const DirectLight direct = addDirectLight(graph, scene, inputs.plan, gbuffer,
-                                                  {.lightCount = lights.lightCount,
-                                                   .castShadows = settings.castShadows,
-                                                   .areasApart = samplesAreas && schedule.filters()},
-                                                  settings.width, settings.height);
-        frame.radiance = direct.radiance;
-        if (direct.areaLight)
-            frame.light = addReconstruction(graph, scene, guide, *direct.areaLight, schedule, 1, std::nullopt,
-                                            settings.width, settings.height);
-    }
-    if (lights.vplCount > 0 || !frame.radiance) {
-        const ImageHandle gathered = addFilteredGather(graph, scene, inputs, gbuffer, guide, lights);
-        frame.light = frame.light
-                          ? addReconstructSum(graph, scene, *frame.light, gathered, settings.width, settings.height)
-                          : gathered;
-    }
-    return frame;
+    const ReconstructionSchedule schedule = areaLightSchedule(inputs.frame);
+    const bool samplesAreas = lights.lightCount > inputs.gpuScene.emitterTable.deltaLightCount;
+    DirectLight direct = addDirectLight(graph, scene, inputs.plan, gbuffer,
+                                        {.lightCount = lights.lightCount,
+                                         .castShadows = settings.castShadows,
+                                         .areasApart = samplesAreas && schedule.filters(),
+                                         .radiance = radiance},
+                                        settings.width, settings.height);
+    if (direct.areaLight)
+        direct.areaLight = addReconstruction(graph, scene, guide, *direct.areaLight, schedule, 1, std::nullopt,
+                                             settings.width, settings.height);
+    return direct;
 }
 
-/// The mean over the points at which the frame sees pixels. Lights without noise are asked at all of them.
+/// The mean over the points at which the frame sees pixels. VPLs are asked at the first; the others borrow their light.
 ImageHandle addFilteredRadiance(FrameGraph& graph, SceneHandles& scene, const FrameInputs& inputs,
                                 const GBuffer& gbuffer, const LightsOfFrame& lights) {
     const RenderSettings& settings = inputs.settings;
     const uint32_t width = settings.width;
     const uint32_t height = settings.height;
+    const bool hasDirect = settings.lighting != Lighting::Global;
     const ImageHandle guide = addReconstructGuide(graph, scene, inputs.plan, gbuffer, width, height);
-    const FilteredFrame frame = addFilteredFrame(graph, scene, inputs, gbuffer, guide, lights);
-    if (!frame.light) return *frame.radiance;
-    const size_t last = inputs.points.size() - 1;
-    const auto scaleOf = [last](size_t point) { return point < last ? 1.0f : 1.0f / static_cast<float>(last + 1); };
-    ImageHandle radiance = addRemodulate(graph, scene, inputs.plan, gbuffer, *frame.light, std::nullopt, frame.radiance,
-                                         scaleOf(0), width, height);
-    for (size_t i = 1; i <= last; ++i) {
+    std::optional<ImageHandle> radiance;
+    std::optional<ImageHandle> own;
+    if (hasDirect) {
+        const DirectLight direct = addFilteredDirect(graph, scene, inputs, gbuffer, guide, lights, std::nullopt);
+        radiance = direct.radiance;
+        own = direct.areaLight;
+    }
+    std::optional<ImageHandle> lent;
+    if (lights.vplCount > 0 || !hasDirect) {
+        lent = addFilteredGather(graph, scene, inputs, gbuffer, guide, lights);
+        own = own ? addReconstructSum(graph, scene, *own, *lent, width, height) : *lent;
+    }
+    const uint32_t last = inputs.pointCount() - 1;
+    if (last == 0 && !own) return *radiance;
+    const auto scaleOf = [last](uint32_t point) { return point < last ? 1.0f : 1.0f / static_cast<float>(last + 1); };
+    radiance =
+        addRemodulate(graph, scene, inputs.plan, gbuffer, own, std::nullopt, radiance, scaleOf(0), width, height);
+    for (uint32_t i = 1; i <= last; ++i) {
         SceneHandles atPoint = scene;
         atPoint.frame = inputs.points[i].frameConstants;
         const GBuffer seen =
             addGBuffer(graph, atPoint, inputs.plan, inputs.gpuScene.draws, inputs.gbufferByRays, width, height);
-        if (settings.lighting != Lighting::Global)
-            radiance = addDirectLight(graph, atPoint, inputs.plan, seen,
-                                      {.lightCount = inputs.gpuScene.emitterTable.deltaLightCount,
-                                       .castShadows = settings.castShadows,
-                                       .radiance = radiance},
-                                      width, height)
-                           .radiance;
-        const LenderPoint lender{guide, inputs.points[0].offset - inputs.points[i].offset};
+        std::optional<ImageHandle> areaLight;
+        if (hasDirect) {
+            const ImageHandle itsGuide = addReconstructGuide(graph, atPoint, inputs.plan, seen, width, height);
+            const DirectLight direct = addFilteredDirect(graph, atPoint, inputs, seen, itsGuide, lights, radiance);
+            radiance = direct.radiance;
+            areaLight = direct.areaLight;
+        }
+        std::optional<LentLight> borrowed;
+        if (lent) borrowed = {*lent, guide, inputs.points[0].offset - inputs.points[i].offset};
         radiance =
-            addRemodulate(graph, atPoint, inputs.plan, seen, *frame.light, lender, radiance, scaleOf(i), width, height);
+            addRemodulate(graph, atPoint, inputs.plan, seen, areaLight, borrowed, radiance, scaleOf(i), width, height);
         scene.status = atPoint.status;
     }
-    return radiance;
+    return *radiance;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "engine/techniques/lights_of_frame.h"
 
 #include "engine/passes/vpl_emission.h"
+#include "engine/techniques/reconstruction.h"
 
 namespace manylight {
 namespace {
@@ -30,7 +31,8 @@ LightsOfFrame addLightsOfFrame(FrameGraph& graph, SceneHandles& scene, const Fra
                         settings.vplCount > 0 && settings.bounceCount.value_or(0) > 0;
 
     LightsOfFrame result;
-    result.lightCount = (local ? table.deltaLightCount : 0) + (samplesAreas ? settings.lightSampleCount : 0);
+    result.lightCount = (local ? table.deltaLightCount : 0) +
+                        (samplesAreas ? lightSamplesOfPoint(settings.lightSampleCount, inputs.pointCount()) : 0);
     if (global) {
         result.vplCount = settings.vplCount;
         result.vpls = addVplEmission(graph, scene, inputs.plan,

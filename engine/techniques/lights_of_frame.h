@@ -9,7 +9,7 @@
 namespace manylight {
 
 struct LightsOfFrame {
-    uint32_t lightCount = 0;  // real lights and samples of area lights; 0 if direct light is not asked for
+    uint32_t lightCount = 0;  // at a point: real lights and samples of area lights; 0 if direct light is not asked for
     VplBuffers vpls;
     uint32_t vplCount = 0;  // 0 if indirect light is not asked for, or there are no light paths
 

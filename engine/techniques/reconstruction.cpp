@@ -51,6 +51,8 @@ ReconstructionSchedule areaLightSchedule(uint32_t frame) {
 
 uint32_t visibilitySamples(uint32_t asked, uint32_t frame) { return frame < kFramesWithMorePoints ? asked : 1; }
 
+uint32_t lightSamplesOfPoint(uint32_t asked, uint32_t pointCount) { return (asked + pointCount - 1) / pointCount; }
+
 uint32_t numberOfPoint(uint32_t pointCount, uint32_t frame, uint32_t point) {
     return frame * pointCount + (point + shared::hashInteger(frame)) % pointCount;
 }

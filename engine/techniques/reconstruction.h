@@ -37,6 +37,9 @@ uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep);
 /// to an end, and what they did fades with the mean over frames.
 uint32_t visibilitySamples(uint32_t asked, uint32_t frame);
 
+/// Samples of area lights at each of so many points: together no fewer than were asked for.
+uint32_t lightSamplesOfPoint(uint32_t asked, uint32_t pointCount);
+
 /// Number of such a point (0: where light is found) in the sequence that all points of all frames come from. Which
 /// place of its frame is first is left to chance, or light would be found in one part of the pixel only.
 uint32_t numberOfPoint(uint32_t pointCount, uint32_t frame, uint32_t point);

@@ -296,7 +296,9 @@ void Renderer::writeFrameConstants() {
     frame.geometryBound = geometryBound(settings_, litArea_.value_or(0.0), frameCount_);
     frame.pathCount = settings_.pathCount;
     frame.vplCount = settings_.vplCount;
-    frame.lightSampleCount = local && plan_.areaLights && table.areaLightCount > 0 ? settings_.lightSampleCount : 0;
+    frame.lightSampleCount = local && plan_.areaLights && table.areaLightCount > 0
+                                 ? lightSamplesOfPoint(settings_.lightSampleCount, pointCount())
+                                 : 0;
     frame.triangleCount = gpuScene_.triangleCount;
     frame.bounceCount = static_cast<uint32_t>(*settings_.bounceCount);
     frame.emitterPowerShare = static_cast<float>(table.powerShare);
@@ -321,7 +323,8 @@ void Renderer::writeConstantsOfPoints(const shared::FrameConstants& first) {
     while (constantsOfPoints_.size() < further) constantsOfPoints_.push_back(makeFrameConstants(device_));
     for (uint32_t i = 0; i < further; ++i) {
         shared::FrameConstants frame = first;
-        frame.seed = shared::hashCombine(first.seed, i + 1);  // of surfaces that let rays through by chance
+        frame.seed = shared::hashCombine(first.seed,
+                                         i + 1);  // of samples of lights, and surfaces that let rays through by chance
         frame.pixelOffset = offsetOfPoint(i + 1, first.frame, first.seed);
         frame.clipFromWorld = clipFromWorld(view(), kNearPlane,
                                             2.0f * (glm::vec2(0.5f) - frame.pixelOffset) / glm::vec2(frame.imageSize));

@@ -116,7 +116,7 @@ struct Preset {
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {3200, 4, 1, 3, 4, Filter::Atrous, ClampMode::Compensate, 4};
+            return {3200, 4, 1, 3, 4, Filter::Atrous, ClampMode::Compensate, 12};
         case Quality::Interactive:
             return {1600, 2, 1, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Final:
@@ -224,7 +224,7 @@ const std::vector<Setting>& settingTable() {
           "the bound is C * paths^(2/3) / A, or C / A if compensated; A is the area that light reaches", 0.1, 1000},
          [](S& s, T o, T v) { s.clampBound = parseNumber(o, v, 0.0f, 1e30f); },
          [](C s) { return s.clampBound ? Json(*s.clampBound) : Json(); }},
-        {{"light-samples", "N", "points on area lights and the environment per frame", 1, 64},
+        {{"light-samples", "N", "points on area lights and the environment per pixel and frame", 1, 64},
          [](S& s, T o, T v) { s.lightSampleCount = parseInteger<uint32_t>(o, v, 1, 65536); },
          [](C s) -> Json { return s.lightSampleCount; }},
         {{"sequence", "continued|independent", "frames share low-discrepancy points, or each draws its own"},

@@ -82,7 +82,7 @@ struct RenderSettings {
     uint32_t visibilitySamples = 1;    // with a filter: points of a pixel where a frame asks what is seen
     Quality quality = Quality::Final;  // the preset that set some of these; what is set later counts
     std::optional<float> clampBound;   // c of the bound; empty: as suits the mode
-    uint32_t lightSampleCount = 16;    // points on area lights and the environment per frame
+    uint32_t lightSampleCount = 16;    // points on area lights and the environment per pixel and frame
     uint32_t seed = 0;
     uint32_t camera = 0;             // index into the scene's cameras
     float exposure = 0.0f;           // stops

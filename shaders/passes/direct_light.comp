@@ -12,6 +12,7 @@
 
 layout(constant_id = 12) const bool kAddToRadiance = false;
 layout(constant_id = 40) const bool kAreasApart = false;
+layout(constant_id = 41) const bool kAddToAreas = false;
 
 layout(set = 0, binding = kBindingRadiance, rgba32f) uniform image2D radianceImage;
 layout(set = 0, binding = kBindingReconstructed, rgba32f) uniform image2D areaLight;
@@ -40,7 +41,7 @@ void storeLightOfAreas(ivec2 pixel, Receiver receiver, uint seed) {
     const uint deltas = frame.deltaLightCount;
     const uint first = max(push.firstLight, deltas);
     vec4 light = lightOfAreas(receiver, seed, first - deltas, max(push.firstLight + push.lightCount, first) - deltas);
-    if (kAddToRadiance) {
+    if (kAddToAreas) {
         const vec4 before = imageLoad(areaLight, pixel);
         light = vec4(light.rgb + before.rgb, length(vec2(light.a, before.a)));
     }

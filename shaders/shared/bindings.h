@@ -48,6 +48,7 @@ MANYLIGHT_CONSTANT(int, kBindingReconstructed, 70);     // image RGBA32F: light,
 MANYLIGHT_CONSTANT(int, kBindingReconstruction, 71);    // image RGBA32F: the same after it
 MANYLIGHT_CONSTANT(int, kBindingGuide, 72);              // image RGBA32F: normal, depth along the camera's axis
 MANYLIGHT_CONSTANT(int, kBindingUnshadowed, 73);         // image RGBA32F: light as if nothing were between
+MANYLIGHT_CONSTANT(int, kBindingLentLight, 74);          // image RGBA32F: light at other points of the pixels
 MANYLIGHT_CONSTANT(int, kBindingShown, 112);            // image RGBA32F: sum over frames as it is shown, and frames that it stands for
 MANYLIGHT_CONSTANT(int, kBindingHistory, 113);          // image RGBA32_UINT: what earlier views knew of a pixel
 MANYLIGHT_CONSTANT(int, kBindingHistoryGuide, 114);     // image RGBA32_UINT: what the next view has to know of a pixel

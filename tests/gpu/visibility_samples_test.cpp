@@ -100,6 +100,46 @@ TEST_F(VisibilitySamples, AskLightsWithoutNoiseAtEveryPoint) {
     }
 }
 
+/// A wall that fills the picture, half of it in the shadow of something beside it. The lamp is so small that the
+/// shadow's edge is half a pixel wide.
+Scene shadowEdgeOfALamp() {
+    Scene scene;
+    const uint32_t grey = addMaterial(scene, glm::vec3(0.5f));
+    const uint32_t lamp = addMaterial(scene, glm::vec3(0.0f), glm::vec3(1e5f));
+    addQuad(scene, {-0.5f, -0.5f, -0.4f}, {1, 0, 0}, {0, 1, 0}, grey);
+    addQuad(scene, {0.3f, -0.5f, -0.1f}, {0.2f, 0, 0}, {0.02f, 1.0f, 0}, grey);
+    addQuad(scene, {0.6f, 0.6f, 0.2f}, {0, 0.004f, 0}, {0.004f, 0, 0}, lamp);
+    addCamera(scene, {0.0f, 0.0f, 0.3f}, {0.0f, 0.0f, -0.4f}, 0.5f);
+    return finished(std::move(scene));
+}
+
+// Nor is light of area lights: what is in the shadow at a pixel's first point need not be at its others. Four of them
+// leave an edge the error of as many frames, a half, or less as they are stratified; borrowed light would leave it all.
+TEST_F(VisibilitySamples, AskAreaLightsAtEveryPoint) {
+    const Scene scene = shadowEdgeOfALamp();
+    RenderSettings one = filteredSettings(1);
+    one.lighting = Lighting::Local;
+    one.castShadows = true;
+    one.lightSampleCount = 4;
+    RenderSettings four = one;
+    four.visibilitySamples = 4;
+    four.lightSampleCount = 16;
+    RenderSettings whole = one;
+    whole.filter = Filter::Off;
+    whole.interleave = 1;
+    const Image truth = render(scene, whole, 256);
+    double errorOfOne = 0.0;
+    double errorOfFour = 0.0;
+    for (const uint32_t seed : {1u, 2u, 3u, 4u}) {
+        one.seed = four.seed = seed;
+        const Image seen = render(scene, four, 1);
+        errorOfOne += rootMeanSquare(render(scene, one, 1), truth);
+        errorOfFour += rootMeanSquare(seen, truth);
+        EXPECT_NEAR(meanOf(seen), meanOf(truth), 0.01 * meanOf(truth)) << seed;
+    }
+    EXPECT_LT(errorOfFour, 0.5 * errorOfOne);
+}
+
 /// A wall that fills the picture, lit by VPLs on another beside it: the nearer, the brighter.
 Scene wallLitFromTheSide() {
     Scene scene;
@@ -161,6 +201,13 @@ TEST(VisibilitySampleNumbers, PointsOfAllFramesAreOneSequence) {
         EXPECT_EQ(firstPlaces.size(), count);
     }
     EXPECT_EQ(numberOfPoint(1, 17, 0), 17u);
+}
+
+TEST(VisibilitySampleNumbers, PointsShareTheSamplesOfAreaLights) {
+    EXPECT_EQ(lightSamplesOfPoint(12, 3), 4u);
+    EXPECT_EQ(lightSamplesOfPoint(4, 3), 2u);
+    EXPECT_EQ(lightSamplesOfPoint(1, 3), 1u);
+    EXPECT_EQ(lightSamplesOfPoint(16, 1), 16u);
 }
 
 TEST(VisibilitySampleNumbers, FurtherPointsComeToAnEnd) {
