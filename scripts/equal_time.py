@@ -39,6 +39,7 @@ except ImportError:
 
 OURS = {"draft": ["--quality", "draft"],
         "draft, bounded": ["--quality", "draft", "--clamp", "bound"],
+        "interactive": ["--quality", "interactive"],
         "path tracer": ["--technique", "path-tracer"]}
 OURS_DENOISED = ["--quality", "draft", "--filter", "off", "--aov", "albedo,normal"]
 SAMPLES_OF_EMISSION = 64

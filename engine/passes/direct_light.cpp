@@ -34,6 +34,7 @@ DirectLight addDirectLight(FrameGraph& graph, SceneHandles& scene, const ScenePl
         gpu::Specialisation options = surfaceOptions(plan);
         options.insert(options.end(), {light.castShadows, 0u, adds});
         options = withEmitterOptions(options, plan);
+        options.push_back(light.candidates);
         if (light.areasApart) {
             options.resize(40, gpu::kAsInShader);
             options.insert(options.end(), {VK_TRUE, addsAreas});

@@ -10,7 +10,8 @@ namespace manylight {
 struct DirectLightOptions {
     uint32_t lightCount = 0;  // point, spot and directional lights and samples of area lights
     bool castShadows = true;
-    bool areasApart = false;                             // for a filter, which light that has no noise does not need
+    uint32_t candidates = 1;  // for every ray to an area light, drawn by what they would give without visibility
+    bool areasApart = false;  // for a filter, which light that has no noise does not need
     std::optional<ImageHandle> radiance = std::nullopt;  // RGBA32F, to add to
 };
 

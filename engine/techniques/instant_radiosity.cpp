@@ -17,6 +17,10 @@
 namespace manylight {
 namespace {
 
+// Measured: with a second one RMSE of a room lit by windows falls by a tenth; a lamp as small as the Cornell box's has
+// nothing from it, and loses by a fifth of direct light's time. Four are no better than two.
+constexpr uint32_t kAreaCandidates = 2;
+
 /// Which G-buffer channel is asked for, if any.
 std::optional<uint32_t> channelShown(Show show) {
     switch (show) {
@@ -117,6 +121,7 @@ DirectLight addFilteredDirect(FrameGraph& graph, SceneHandles& scene, const Fram
     DirectLight direct = addDirectLight(graph, scene, inputs.plan, gbuffer,
                                         {.lightCount = lights.lightCount,
                                          .castShadows = settings.castShadows,
+                                         .candidates = kAreaCandidates,
                                          .areasApart = samplesAreas && schedule.filters(),
                                          .radiance = radiance},
                                         settings.width, settings.height);

@@ -116,9 +116,9 @@ struct Preset {
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {3200, 4, 1, 3, 4, Filter::Atrous, ClampMode::Compensate, 12};
+            return {3200, 4, 1, 3, 4, Filter::Atrous, ClampMode::Compensate, 9};
         case Quality::Interactive:
-            return {1600, 2, 1, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
+            return {3200, 4, 1, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Final:
             break;
     }

@@ -6,7 +6,6 @@
 #ifndef MANYLIGHT_COMPENSATION_GLSL
 #define MANYLIGHT_COMPENSATION_GLSL
 #include "shaders/lib/glossy_vpls.glsl"
-#include "shaders/lib/reservoir.glsl"
 #include "shaders/lib/shade_lights.glsl"
 #include "shaders/lib/vpl_texels.glsl"
 

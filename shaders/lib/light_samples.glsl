@@ -4,10 +4,13 @@
 #define MANYLIGHT_LIGHT_SAMPLES_GLSL
 #include "shaders/lib/emitter_radiance.glsl"
 
+layout(constant_id = 22) const uint kAreaCandidates = 1u;  // for every ray to an area light
+
 const uint kDimensionOfLight = 0x10000u;
 const uint kDimensionOnLight = 0x10001u;
 const uint kDimensionReflected = 0x10002u;
 const uint kDimensionInCell = 0x10004u;
+const uint kDimensionOfCandidate = 0x10005u;
 
 LightData lightFrom(vec3 spectrum, uint kind) {
     LightData light;
@@ -70,13 +73,15 @@ vec2 sampleInCell(uint index, uint seed, uint dimension) {
     return kEnvironmentMapped ? sample2d(index, seed, dimension) : vec2(0.0);
 }
 
-// Sample s of this frame's lightSampleCount. `seed` tells receivers apart.
-AreaSample sampleOfArea(uint s, uint seed) {
-    const uint index = frame.frame * frame.lightSampleCount + s;
+// Candidate c for sample s of this frame's lightSampleCount: the sum over candidates is an estimate of all area lights.
+// `seed` tells receivers apart.
+AreaSample candidateOfArea(uint s, uint c, uint seed) {
+    const uint count = frame.lightSampleCount * kAreaCandidates;
+    const uint index = frame.frame * count + s * kAreaCandidates + c;
     const Emitter emitter = loadEmitter(chooseEmitter(sampleBits(index, seed, kDimensionOfLight).x, true));
     return sampleOfEmitter(emitter, sampleBits(index, seed, kDimensionOnLight),
                            sampleInCell(index, seed, kDimensionInCell),
-                           emitter.areaProbability * float(frame.lightSampleCount));
+                           emitter.areaProbability * float(count));
 }
 
 // Per solid angle at `position`.
@@ -88,14 +93,14 @@ float densityOfSample(AreaSample area, vec3 position) {
     return area.density * squaredDistance / max(cosLight, 1e-20);
 }
 
-// What a ray meets that shines by itself, and the density that sampleOfArea() has for it.
+// What a ray meets that shines by itself, and the density that candidateOfArea() has for it.
 struct EmissionMet {
     vec3 radiance;
-    float density;  // 1/sr, of all samples of a receiver
+    float density;  // 1/sr, of all candidates of a receiver
 };
 
 EmissionMet emissionMetBy(Hit hit, vec3 direction) {
-    const float count = float(frame.lightSampleCount);
+    const float count = float(frame.lightSampleCount * kAreaCandidates);
     if (hit.triangle == kNoHit) {
         const float chosen = count * frame.areaEnvironmentProbability;
         const float density = kEnvironmentMapped ? chosen * densityOfEnvironmentMap(direction) : chosen / (4.0 * kPi);

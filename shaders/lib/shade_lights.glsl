@@ -4,6 +4,7 @@
 #include "shaders/lib/arriving.glsl"
 #include "shaders/lib/light_samples.glsl"
 #include "shaders/lib/reflected.glsl"
+#include "shaders/lib/reservoir.glsl"
 
 vec3 directionTo(LightData light, Receiver receiver) {
     if (light.kind == kLightDirectional) return -light.direction;
@@ -11,31 +12,41 @@ vec3 directionTo(LightData light, Receiver receiver) {
     return toLight * inversesqrt(max(dot(toLight, toLight), 1e-30));
 }
 
-vec3 summandOfLight(Receiver receiver, LightData light, float share) {
-    const vec3 irradiance = share * irradianceOfLight(receiver, light);
-    return arriving(summand(receiver, irradiance, directionTo(light, receiver)), receiver, light);
+vec3 unshadowedLight(Receiver receiver, LightData light) {
+    return summand(receiver, irradianceOfLight(receiver, light), directionTo(light, receiver));
 }
 
-// Of a sample of an area light. Where reflection depends on directions these are sampled too, see reflectedLights(), and
-// the sample counts for its share.
-vec3 summandOfArea(Receiver receiver, AreaSample area) {
-    float share = 1.0;
-    if (kCastShadows && isGlossy(receiver.bsdf.f90)) {
-        const vec3 direction = directionTo(area.light, receiver);
-        const float density = bsdfDensity(receiver.bsdf, receiver.normal, direction, receiver.toViewer);
-        share = shareOfLightSample(densityOfSample(area, receiver.position), density);
+// Where reflection depends on directions these are sampled too, see reflectedLights(), and a sample of an area light counts
+// for its share.
+float shareOfArea(Receiver receiver, AreaSample area) {
+    if (!kCastShadows || !isGlossy(receiver.bsdf.f90)) return 1.0;
+    const vec3 direction = directionTo(area.light, receiver);
+    const float density = bsdfDensity(receiver.bsdf, receiver.normal, direction, receiver.toViewer);
+    return shareOfLightSample(densityOfSample(area, receiver.position), density);
+}
+
+// Sample s of area lights: a ray to one of its candidates.
+vec3 summandOfArea(Receiver receiver, uint s, uint seed) {
+    const uint index = frame.frame * frame.lightSampleCount + s;
+    const float u = kAreaCandidates > 1u ? sample2d(index, seed, kDimensionOfCandidate).x : 0.0;
+    Reservoir reservoir = emptyReservoir(u);
+    for (uint c = 0u; c < kAreaCandidates; ++c) {
+        const AreaSample area = candidateOfArea(s, c, seed);
+        offer(reservoir, area.light, shareOfArea(receiver, area) * unshadowedLight(receiver, area.light));
     }
-    return summandOfLight(receiver, area.light, share);
+    return arrivingFrom(reservoir, receiver);
 }
 
 // Summands of entries [first, first + count) of: point, spot and directional lights, then samples of area lights.
 vec3 sumOfLights(Receiver receiver, uint seed, uint first, uint count) {
     const uint deltaLightCount = frame.deltaLightCount;
     vec3 sum = vec3(0.0);
-    for (uint i = first; i < min(first + count, deltaLightCount); ++i)
-        sum += summandOfLight(receiver, deltaLight(loadEmitter(i)), 1.0);
+    for (uint i = first; i < min(first + count, deltaLightCount); ++i) {
+        const LightData light = deltaLight(loadEmitter(i));
+        sum += arriving(unshadowedLight(receiver, light), receiver, light);
+    }
     for (uint i = max(first, deltaLightCount); i < first + count; ++i)
-        sum += summandOfArea(receiver, sampleOfArea(i - deltaLightCount, seed));
+        sum += summandOfArea(receiver, i - deltaLightCount, seed);
     return sum;
 }
 

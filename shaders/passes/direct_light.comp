@@ -25,7 +25,7 @@ vec4 lightOfAreas(Receiver receiver, uint seed, uint first, uint end) {
     float scale = 0.0;  // over the first light that is met: squares of very faint light would underflow
     vec2 moments = vec2(0.0);
     for (uint s = first; s < end; ++s) {
-        const vec3 light = demodulated(receiver, summandOfArea(receiver, sampleOfArea(s, seed)));
+        const vec3 light = demodulated(receiver, summandOfArea(receiver, s, seed));
         const float level = brightness(light);
         if (scale == 0.0 && level > 0.0) scale = 1.0 / level;
         sum += light;

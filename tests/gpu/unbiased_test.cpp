@@ -135,5 +135,33 @@ TEST_P(LightOfDepth, EndsWhereThePathTracersEnds) {
     EXPECT_TRUE(toldApart(compensated, truthOf(scene, settings, 12)));
 }
 
+/// Reflections too sharp for a filter to share any of their light.
+Scene polished(Scene scene) {
+    for (Material& material : scene.materials) {
+        material.specular = glm::vec3(0.2f);
+        material.roughness = 0.5f;
+    }
+    return finished(std::move(scene));
+}
+
+using UnbiasedInAFilter = GpuTest;
+
+// With a filter every ray to an area light goes to one of several candidates.
+TEST_F(UnbiasedInAFilter, LightOfAreaLightsWhereNothingIsShared) {
+    for (const auto& scene : {polished(everyKindOfLight()), polished(cornellBox())}) {
+        RenderSettings settings = plainSettings(12, 9);
+        settings.lighting = Lighting::Local;
+        settings.castShadows = true;
+        settings.lightSampleCount = 16;
+        const PictureSamples truth =
+            samplePictures(scene, settings, {.first = kFirstSeedOfTruth, .count = kSeeds, .frames = 16});
+        settings.filter = Filter::Atrous;
+        settings.interleave = 2;
+        const PictureSamples filtered = samplePictures(scene, settings, {.count = kSeeds, .frames = 16});
+        expectSameMeans(filtered, truth, 0.0035);
+        EXPECT_TRUE(toldApart(scaled(filtered, kPlanted), truth));
+    }
+}
+
 }  // namespace
 }  // namespace manylight::test
