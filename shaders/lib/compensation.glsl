@@ -39,9 +39,7 @@ vec3 sumOfEmitters(Receiver y, float product, uint seed, uint dimension, float u
             light = sampleOfEmitter(emitter, sampleBits(index, seed, dimension + 1u),
                                     sampleInCell(index, seed, dimension + 5u), probability).light;
         else light.intensity *= 1.0 / probability;
-        const vec3 direction = directionTo(light, y);
-        const vec3 reflected = summand(y, irradianceOfLight(y, light), direction);
-        offer(reservoir, light, cutOffAtY(y, reflected, direction, product));
+        offer(reservoir, light, cutOffAtY(y, unshadowedLight(y, light), directionTo(light, y), product));
     }
     return arrivingFrom(reservoir, y);
 }
