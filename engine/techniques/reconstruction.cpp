@@ -12,13 +12,15 @@ namespace manylight {
 namespace {
 
 constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
-constexpr uint32_t kLevels = 3;
+constexpr uint32_t kMostLevels = 3;
+constexpr uint32_t kWidestSpacing = 8;  // of taps, pixels; measured: where it is more, blur costs more than noise
 constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
 constexpr uint32_t kFramesWithMorePoints = 16;
-constexpr double kWholeFrames = 4.0;  // measured: of 1 to 64 the least error over 4 to 64 frames of two rooms
+constexpr uint32_t kFramesOnGrid = 4;
 
-float shareOfRadius(uint32_t frame) {
-    return static_cast<float>(std::pow(std::min(1.0, kWholeFrames / (frame + 1.0)), 1.0 / 6.0));
+/// The first `wholeFrames` are filtered whole. Measured, n = 8: with one the least error after 2 and 8 s of four rooms.
+float shareOfRadius(uint32_t frame, uint32_t wholeFrames = 1) {
+    return static_cast<float>(std::pow(std::min(1.0, wholeFrames / (frame + 1.0)), 1.0 / 6.0));
 }
 
 }  // namespace
@@ -30,12 +32,15 @@ uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep) {
 }
 
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame) {
-    const float shrunk = shareOfRadius(frame);
+    const uint32_t step = effectiveGatherStep(interleave, gatherStep);
+    const uint32_t wholeFrames = step > 1 ? kFramesOnGrid : 1;
+    const float shrunk = shareOfRadius(frame, wholeFrames);
     ReconstructionSchedule schedule;
     schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shrunk);
-    if (shrunk == 1.0f) schedule.gatherStep = effectiveGatherStep(interleave, gatherStep);
+    if (frame < wholeFrames) schedule.gatherStep = step;
     const uint32_t finest = std::max(interleave / 2, 1u);
-    for (uint32_t level = 0; level < kLevels; ++level) {
+    for (uint32_t level = 0; level < kMostLevels; ++level) {
+        if (level > 0 && finest << level > kWidestSpacing) break;
         const float reach = static_cast<float>(finest << level) * shrunk;
         if (reach >= 1.0f) schedule.levels.push_back({static_cast<uint32_t>(std::lround(reach)), kDeviations * shrunk});
     }

@@ -21,13 +21,13 @@ struct ReconstructionSchedule {
     bool filters() const { return blockWidth > 1.0f || !levels.empty(); }
 };
 
-/// The whole filter for the first four frames; then its radius falls with the sixth root of their number, which
-/// balances bias and variance as in progressive photon mapping [KaplanyanDachsbacher2013]. In the end nothing is
-/// filtered. `frame`: how many there were before.
+/// The whole filter for the first frame; then its radius falls with the sixth root of their number, which balances bias
+/// and variance as in progressive photon mapping [KaplanyanDachsbacher2013]. In the end nothing is filtered. Where only
+/// every `gatherStep`-th pixel gathers, four frames are filtered whole. `frame`: how many there were before.
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame);
 
 /// Of light of area lights, whose samples neighbours draw independently: one level of the nearest pixels. Measured:
-/// with a second one shadows lose more than noise does. It fades by what may mix, and is gone after 256 frames.
+/// with a second one shadows lose more than noise does. It fades by what may mix, and is gone after 64 frames.
 ReconstructionSchedule areaLightSchedule(uint32_t frame);
 
 /// What --gather-step comes to: the largest number up to it that divides the period.

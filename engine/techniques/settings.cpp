@@ -116,9 +116,9 @@ struct Preset {
 Preset presetOf(Quality quality) {
     switch (quality) {
         case Quality::Draft:
-            return {3200, 4, 1, 3, 4, Filter::Atrous, ClampMode::Compensate, 9};
+            return {12800, 8, 1, 3, 4, Filter::Atrous, ClampMode::Compensate, 9};
         case Quality::Interactive:
-            return {3200, 4, 1, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
+            return {12800, 8, 1, 1, 4, Filter::Atrous, ClampMode::Bound, 4};
         case Quality::Final:
             break;
     }
@@ -166,7 +166,7 @@ const std::vector<Setting>& settingTable() {
         {{"lighting", "local|global|both", "direct light, light from the VPLs, or both"},
          [](S& s, T o, T v) { s.lighting = parseName(kLightings, o, v); },
          [](C s) -> Json { return name(s.lighting); }},
-        {{"vpls", "N", "virtual point lights shaded in every frame", 0, 5000},
+        {{"vpls", "N", "virtual point lights shaded in every frame", 0, 20000},
          [](S& s, T o, T v) { s.vplCount = parseInteger<uint32_t>(o, v, 0, kMaxVpls); },
          [](C s) -> Json { return s.vplCount; }},
         {{"paths", "N", "light paths per frame (0: four for each VPL, but from 256 to 6400 unless there are more VPLs)",

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/lib/prelude.glsl"
 #include "shaders/lib/guide.glsl"
+#include "shaders/shared/bsdf.h"
 #include "shaders/shared/workgroups.h"
 
 layout(local_size_x_id = kConstantGroupWidth, local_size_y_id = kConstantGroupHeight) in;
@@ -14,6 +15,8 @@ layout(push_constant, scalar) uniform Push { AtrousPush push; };
 
 // Cubic B-spline, over its middle: 1, 2/3, 1/6.
 float spline(int i) { return 1.0 - float(abs(i) * (3 + abs(i))) * (1.0 / 12.0); }
+
+const float kLeastShare = 0.5;  // of a channel; the noise of fainter ones is beyond what the error of all says
 
 // Errors scatter too: their mean over neighbours.
 float errorAround(ivec2 pixel, float own) {
@@ -26,9 +29,14 @@ float errorAround(ivec2 pixel, float own) {
     return sum * (1.0 / 8.0);
 }
 
-// Of either: if only the center's counted, bright outliers would be thinned by others and give them nothing.
-float differenceOf(vec4 light, float level, float allowed) {
-    const float apart = abs(brightness(light.rgb) - level);
+// Of the channel that differs most for its share, in terms of brightness: where one light is in shadow and another of
+// another colour is not, their sum may hide it. The error allowed is that of either: if only the center's counted,
+// bright outliers would be thinned by others and give them nothing.
+float differenceOf(vec4 light, vec3 own, float allowed) {
+    const vec3 both = light.rgb + own;
+    const float middle = brightness(both);
+    const vec3 shares = middle > 0.0 ? max(both / middle, vec3(kLeastShare)) : vec3(1.0);
+    const float apart = largestChannel(abs(light.rgb - own) / shares);
     const float allowedHere = max(allowed, push.deviations * light.a);
     return 8.0 * allowedHere > apart ? apart / allowedHere : 8.0;
 }
@@ -45,20 +53,19 @@ void main() {
     const GuideCenter center = guideCenterAt(pixel);
     const int radius = takesPart(center) ? 2 : -1;
     const int spacing = push.spacing;
-    const float level = brightness(own.rgb);
     const float allowed = push.deviations * max(errorAround(pixel, own.a), own.a);
 
     vec3 sum = own.rgb;
     float weights = 1.0;
-    const float worst = max(own.a, level);
+    const float worst = max(own.a, brightness(own.rgb));
     float squaredErrors = worst > 0.0 ? (own.a / worst) * (own.a / worst) : 0.0;
     for (int y = 0; y <= radius; ++y)
         for (int x = -2; x <= 2; ++x) {
             const ivec2 offset = spacing * ivec2(x, y);
             const vec4 light = imageLoad(coarser, clamp(pixel + offset, ivec2(0), last));
             const vec4 mirrored = imageLoad(coarser, clamp(pixel - offset, ivec2(0), last));
-            const float alike = min(likenessTo(pixel, offset, center, differenceOf(light, level, allowed)),
-                                    likenessTo(pixel, -offset, center, differenceOf(mirrored, level, allowed)));
+            const float alike = min(likenessTo(pixel, offset, center, differenceOf(light, own.rgb, allowed)),
+                                    likenessTo(pixel, -offset, center, differenceOf(mirrored, own.rgb, allowed)));
             const float w = y > 0 || x > 0 ? spline(x) * spline(y) * alike : 0.0;
             sum += w * (light.rgb + mirrored.rgb);
             weights += 2.0 * w;

@@ -99,6 +99,54 @@ TEST_F(ReconstructionEdges, DoesNotCarryLightAcrossEdgesAndKeepsTheMeanOfAWall) 
     EXPECT_LT(filteredError, 0.2 * patternError);  // 0.13: light falls steeply beside the VPLs
 }
 
+/// A floor below a ceiling, and a plate between them over one half of it: faint blue light from one place ends at a
+/// line, and strong red light from all of the ceiling fades across it.
+Scene twoColoursAboveAPlate() {
+    Scene scene;
+    const uint32_t white = addMaterial(scene, glm::vec3(0.8f));
+    addQuad(scene, {-0.5f, -0.5f, 0.0f}, {1, 0, 0}, {0, 1, 0}, white);
+    addQuad(scene, {-0.5f, -0.5f, 0.5f}, {0, 1, 0}, {1, 0, 0}, white);
+    addQuad(scene, {-0.5f, -0.5f, 0.25f}, {0.5f, 0, 0}, {0, 1, 0}, white);
+    scene.lights.push_back(spotLight({0.0f, 0.0f, 0.49f}, {0, 0, 1}, {0.0f, 0.0f, 8.0f}, 0.1f, 0.1f));
+    scene.lights.push_back(spotLight({0.01f, 0.0f, 0.28f}, {0, 0, 1}, {1.0f, 0.0f, 0.0f}, 1.0f, 1.0f));
+    addCamera(scene, {0.01f, 0.0f, 0.22f}, {0.0f, 0.0f, 0.0f}, 0.6f);
+    return finished(std::move(scene));
+}
+
+// The blue is a sixth of the red: what the rays of a frame leave to chance in the brightness of both hides its edge.
+TEST_F(ReconstructionEdges, KeepsShadowsOfOneColour) {
+    const Scene scene = twoColoursAboveAPlate();
+    RenderSettings settings = interleavedSettings(64, 48);
+    settings.castShadows = true;
+    settings.shadowRays = 2;
+    Renderer renderer(device(), scene, settings, pipelines());
+    const GBufferImage gbuffer = captureGBuffer(renderer, scene);
+    double inShadow = 0.0;
+    double lit = 0.0;
+    double litRed = 0.0;
+    size_t pixelsInShadow = 0;
+    size_t pixelsLit = 0;
+    for (settings.seed = 0; settings.seed < 8; ++settings.seed) {
+        const Image filtered = render(scene, settings);
+        for (size_t i = 0; i < gbuffer.texels.size(); ++i) {
+            const float x = gbuffer.texels[i].position.x;
+            if (x < -0.01f && x > -0.035f) {
+                inShadow += double{filtered.texels[3 * i + 2]};
+                ++pixelsInShadow;
+            } else if (x > 0.025f) {
+                lit += double{filtered.texels[3 * i + 2]};
+                litRed += double{filtered.texels[3 * i]};
+                ++pixelsLit;
+            }
+        }
+    }
+    ASSERT_GT(pixelsInShadow, 1000u);
+    ASSERT_GT(pixelsLit, 1000u);
+    EXPECT_LT(lit, 0.2 * litRed);
+    const double leaked = inShadow / static_cast<double>(pixelsInShadow) / (lit / static_cast<double>(pixelsLit));
+    EXPECT_LT(leaked, 0.027);  // 0.017, and 0.041 where edges are those of brightness
+}
+
 /// Pixels next to others whose surface faces another way.
 std::vector<size_t> pixelsInCorners(const GBufferImage& gbuffer, uint32_t width) {
     std::vector<size_t> found;
