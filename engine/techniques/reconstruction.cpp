@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kDeviations = 3.0f;  // of irradiance, as far as its scatter tells: farther apart, pixels do not mix
 constexpr uint32_t kMostLevels = 3;
-constexpr uint32_t kWidestSpacing = 8;  // of taps, pixels; measured: where it is more, blur costs more than noise
+constexpr uint32_t kWidestSpacing = 8;   // of taps, pixels; measured: where it is more, blur costs more than noise
 constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
 constexpr uint32_t kFramesWithMorePoints = 16;
 constexpr uint32_t kFramesOnGrid = 4;

@@ -96,7 +96,7 @@ TEST_F(ReconstructionEdges, DoesNotCarryLightAcrossEdgesAndKeepsTheMeanOfAWall) 
     EXPECT_GT(onPlate, 100u);
     EXPECT_GT(wholeSum, 0.0);
     EXPECT_NEAR(filteredSum, wholeSum, 0.01 * wholeSum);  // slopes cancel, how they bend does not
-    EXPECT_LT(filteredError, 0.2 * patternError);  // 0.13: light falls steeply beside the VPLs
+    EXPECT_LT(filteredError, 0.2 * patternError);         // 0.13: light falls steeply beside the VPLs
 }
 
 /// A floor below a ceiling, and a plate between them over one half of it: faint blue light from one place ends at a
