@@ -16,7 +16,7 @@ constexpr uint32_t kMostLevels = 3;
 constexpr uint32_t kWidestSpacing = 8;   // of taps, pixels; measured: where it is more, blur costs more than noise
 constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
 constexpr uint32_t kFramesWithMorePoints = 16;
-constexpr uint32_t kFramesOnGrid = 4;
+constexpr uint32_t kFramesOfWholeBox = 4;
 
 /// The first `wholeFrames` are filtered whole. Measured, n = 8: with one the least error after 2 and 8 s of four rooms.
 float shareOfRadius(uint32_t frame, uint32_t wholeFrames = 1) {
@@ -33,10 +33,10 @@ uint32_t effectiveGatherStep(uint32_t interleave, uint32_t gatherStep) {
 
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame) {
     const uint32_t step = effectiveGatherStep(interleave, gatherStep);
-    const uint32_t wholeFrames = step > 1 ? kFramesOnGrid : 1;
+    const uint32_t wholeFrames = step > 1 ? kFramesOfWholeBox : 1;
     const float shrunk = shareOfRadius(frame, wholeFrames);
     ReconstructionSchedule schedule;
-    schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shrunk);
+    schedule.blockWidth = std::max(1.0f, static_cast<float>(interleave) * shareOfRadius(frame, kFramesOfWholeBox));
     if (frame < wholeFrames) schedule.gatherStep = step;
     const uint32_t finest = std::max(interleave / 2, 1u);
     for (uint32_t level = 0; level < kMostLevels; ++level) {

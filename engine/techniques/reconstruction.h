@@ -22,8 +22,9 @@ struct ReconstructionSchedule {
 };
 
 /// The whole filter for the first frame; then its radius falls with the sixth root of their number, which balances bias
-/// and variance as in progressive photon mapping [KaplanyanDachsbacher2013]. In the end nothing is filtered. Where only
-/// every `gatherStep`-th pixel gathers, four frames are filtered whole. `frame`: how many there were before.
+/// and variance as in progressive photon mapping [KaplanyanDachsbacher2013]. In the end nothing is filtered. The box
+/// stays whole for four frames, as any other shows a pattern of the period until frames have averaged it; where only
+/// every `gatherStep`-th pixel gathers, so does the rest. `frame`: how many there were before.
 ReconstructionSchedule reconstructionSchedule(uint32_t interleave, uint32_t gatherStep, uint32_t frame);
 
 /// Of light of area lights, whose samples neighbours draw independently: one level of the nearest pixels. Measured:
