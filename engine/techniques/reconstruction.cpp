@@ -18,7 +18,8 @@ constexpr float kLeastAreaShare = 0.5f;  // of the radius, which is two pixels
 constexpr uint32_t kFramesWithMorePoints = 16;
 constexpr uint32_t kFramesOfWholeBox = 4;
 
-/// 1 for the first `wholeFrames`. Measured, n = 8: with one of the wavelet the least error after 8 s in three of four rooms.
+/// 1 for the first `wholeFrames`. Measured, n = 8: with one of the wavelet the least error after 8 s in three of four
+/// rooms.
 float shareOfRadius(uint32_t frame, uint32_t wholeFrames = 1) {
     return static_cast<float>(std::pow(std::min(1.0, wholeFrames / (frame + 1.0)), 1.0 / 6.0));
 }
